@@ -17,7 +17,10 @@ class Rig extends HTMLElement {
     this.append(this.search, this.count, this.list);
     this.rows = [];
     this.open = -1;  // fixture that is explained
-    this.why = make("div", {class: "why", "aria-live": "polite"});
+    // What is read stays where it is while it changes; only the sentence is spoken.
+    this.verdict = make("p", {"aria-live": "polite"});
+    this.way = make("pre", {tabindex: "0", "aria-label": "From packet to surface", hidden: ""});
+    this.why = make("div", {class: "why"}, this.verdict, this.way);
     this.search.addEventListener("input", () => this.sift());
     hear("show", () => this.build());
     hear("levels", () => this.tell());
@@ -93,7 +96,9 @@ class Rig extends HTMLElement {
     if (this.open < 0) return;
     const row = this.rows[index];
     row.button.setAttribute("aria-expanded", "true");
-    this.why.replaceChildren("asking ...");
+    this.verdict.textContent = "asking ...";
+    this.way.textContent = "";
+    this.way.hidden = true;
     row.item.append(this.why);
     this.ask();
   }
@@ -107,9 +112,9 @@ class Rig extends HTMLElement {
     if (fixture !== this.open) return;
     const sentence = verdict.charAt(0).toUpperCase() + verdict.slice(1);
     const lines = words.split("\n").slice(1).join("\n").trimEnd();  // the first one is the sentence
-    if (this.why.dataset.words === sentence + lines) return;
-    this.why.dataset.words = sentence + lines;
-    this.why.replaceChildren(make("p", {}, sentence), make("pre", {tabindex: "0", "aria-label": "From packet to surface"}, lines));
+    if (this.verdict.textContent !== sentence) this.verdict.textContent = sentence;
+    if (this.way.textContent !== lines) this.way.textContent = lines;
+    this.way.hidden = lines === "";
   }
 }
 customElements.define("ghost-rig", Rig);

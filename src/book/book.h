@@ -51,7 +51,7 @@ struct BookEntry {
 
 struct Book {
     std::string show;
-    std::string kind;          // "cues", "looks", "moments found", "one moment"
+    std::string kind;          // "cues", "looks", "marks", "moments found", "one moment"
     int width = 0, height = 0; // of a picture
     float ev100 = 0;           // of all pictures
     std::string device;

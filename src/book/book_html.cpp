@@ -25,7 +25,8 @@ std::string changes_of_entry(const BookEntry& entry, bool is_first, const PrintS
 
 // Book::kind is English, for programs read it.
 std::string kind_text(const std::string& kind, const PrintStyle& style) {
-    for (const Word known : {Word("cues"), Word("looks"), Word("moments found"), Word("one moment")})
+    for (const Word known :
+         {Word("cues"), Word("looks"), Word("marks"), Word("moments found"), Word("one moment")})
         if (known.in(Language::english) == kind) return style(known);
     return kind;
 }

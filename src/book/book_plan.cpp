@@ -75,10 +75,21 @@ void plan_found(const std::vector<double>& found_s, const PrintStyle& style, Boo
     }
 }
 
+void plan_marks(const std::vector<Mark>& marks, BookPlan& plan) {
+    for (const Mark& mark : marks) {
+        BookEntry& entry = plan.entries.emplace_back().entry;
+        entry.name = mark.number + (mark.number.empty() || mark.name.empty() ? "" : " ") + mark.name;
+        if (entry.name.empty()) entry.name = clock_text(mark.at_s);
+        entry.notes = mark.note;
+        entry.at_s = mark.at_s;
+    }
+}
+
 } // namespace
 
 Result<BookPlan> plan_book(const Show& show, const std::vector<StoredLook>& looks, BookKind kind,
-                           const std::vector<double>& found_s, const PrintStyle& style) {
+                           const std::vector<double>& found_s, const PrintStyle& style,
+                           const std::vector<Mark>& marks) {
     BookPlan plan;
     const std::string file = show.file.string();
     if (kind == BookKind::cues || (kind == BookKind::by_itself && !show.cues.empty())) {
@@ -89,6 +100,11 @@ Result<BookPlan> plan_book(const Show& show, const std::vector<StoredLook>& look
         if (looks.empty()) return Error{"has no looks to make a book of", looks_file(show).string()};
         plan.kind = "looks";
         plan_looks(looks, plan);
+    } else if (kind == BookKind::marks) {
+        if (show.recording.empty()) return Error{"has no recording that marks could be in", file};
+        if (marks.empty()) return Error{"has no mark to make a book of", file};
+        plan.kind = "marks";
+        plan_marks(marks, plan);
     } else if (kind == BookKind::found || !found_s.empty()) {
         if (show.recording.empty()) return Error{"has no recording to find cues in", file};
         if (found_s.empty())

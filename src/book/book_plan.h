@@ -5,6 +5,7 @@
 
 #include "base/result.h"
 #include "book/book.h"
+#include "book/marks.h"
 #include "print/print_style.h"
 
 #include <cstddef>
@@ -16,7 +17,7 @@ namespace ghost::scene {
 
 struct StoredLook; // show/looks.h
 
-enum class BookKind { by_itself, cues, looks, found };
+enum class BookKind { by_itself, cues, looks, marks, found };
 
 struct PlannedEntry {
     BookEntry entry;                 // without pictures and changes
@@ -33,6 +34,7 @@ struct BookPlan {
 // found_s: where the recording comes to rest (rests.h). by_itself: cues, else looks, else what was found,
 // else the show as it is. Error: none of the kind that was asked for, or more than a book holds.
 Result<BookPlan> plan_book(const Show& show, const std::vector<StoredLook>& looks, BookKind kind,
-                           const std::vector<double>& found_s, const PrintStyle& style = {});
+                           const std::vector<double>& found_s, const PrintStyle& style = {},
+                           const std::vector<Mark>& marks = {});
 
 } // namespace ghost::scene

@@ -7,7 +7,6 @@
 #include "show/show.h"
 
 #include <algorithm>
-#include <array>
 #include <map>
 #include <numeric>
 
@@ -87,23 +86,12 @@ void drop_empty_columns(PaperTable& table) {
 PaperTable instruments_of(const Show& show, const PrintStyle& style) {
     PaperTable table{"instruments", style("Instrument schedule"), {}, {}, {}};
     const std::string m = " " + style.length_unit();
-    table.columns = {{style("hangs on")},
-                     {style("unit"), true},
-                     {style("number")},
-                     {style("name")},
-                     {style("type")},
-                     {style("mode")},
-                     {style("address")},
-                     {style("channels")},
-                     {"x" + m, true},
-                     {"y" + m, true},
-                     {"z" + m, true},
-                     {style("function")},
-                     {style("filter")},
-                     {style("gobo")},
-                     {style("focus point")},
-                     {style("layer")},
-                     {style.weight_unit(), true},
+    table.columns = {{style("hangs on")}, {style("unit"), true}, {style("number")},
+                     {style("name")},     {style("type")},       {style("mode")},
+                     {style("address")},  {style("channels")},   {"x" + m, true},
+                     {"y" + m, true},     {"z" + m, true},       {style("function")},
+                     {style("filter")},   {style("gobo")},       {style("focus point")},
+                     {style("circuit")},  {style("layer")},      {style.weight_unit(), true},
                      {"W", true}};
     const std::vector<Hanging> hangings = hangings_of(show);
     std::size_t nowhere = 0, unread = 0;
@@ -118,9 +106,9 @@ PaperTable instruments_of(const Show& show, const PrintStyle& style) {
               style.length(static_cast<double>(fixture.position_m.x)),
               style.length(static_cast<double>(fixture.position_m.y)),
               style.length(static_cast<double>(fixture.position_m.z)), hanging.function, hanging.filter,
-              hanging.gobo, hanging.focus, hanging.layer,
+              hanging.gobo, hanging.focus, fixture.circuit, hanging.layer,
               said_weight(style, static_cast<double>(properties.weight_kg)),
-              said_power(style, static_cast<double>(properties.power_w))}});
+              said_power(style, power_w_of(fixture))}});
         if (hanging.position.empty()) ++nowhere;
         if (!fixture.type) ++unread;
     }
@@ -195,7 +183,7 @@ PaperTable types_of(const Show& show, const PrintStyle& style) {
         const fixture::Properties properties =
             kind.first->type ? kind.first->type->properties : fixture::Properties{};
         const auto each_kg = static_cast<double>(properties.weight_kg);
-        const auto each_w = static_cast<double>(properties.power_w);
+        const double each_w = power_w_of(*kind.first);
         table.rows.push_back({{names.first.empty() ? style("file not read") : names.first, names.second,
                                std::to_string(kind.count), channels_text(*kind.first),
                                said_weight(style, each_kg), said_weight(style, count * each_kg),
@@ -228,8 +216,16 @@ Paper paper_of(const Show& show, const PrintStyle& style, double circuit_w) {
     paper.tables = {instruments_of(show, style), hookup_of(show, style), patch_of(show, style),
                     universes_of(show, style),   wheels_of(show, style), types_of(show, style),
                     positions_of(show, style)};
-    // Not there where nobody says anything about cables or power.
-    for (PaperTable& table : std::array{cables_of(show, style), phases_of(show, style, circuit_w)})
+    // Not there where nobody says anything about cables or power; what is said stands in the place of a
+    // proposal.
+    std::vector<PaperTable> more{cables_of(show, style), plugs_of(show, style)};
+    if (names_circuits(show)) {
+        more.push_back(circuits_of(show, style));
+        more.push_back(phases_of(show, style));
+    } else {
+        more.push_back(phases_proposed(show, style, circuit_w));
+    }
+    for (PaperTable& table : more)
         if (!table.rows.empty()) paper.tables.push_back(std::move(table));
     return paper;
 }

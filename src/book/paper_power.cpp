@@ -19,16 +19,12 @@ struct Load {
     double weight_kg = 0, power_w = 0;
 };
 
-double power_of(const PatchedFixture& fixture) {
-    return fixture.type ? std::max(0.0, static_cast<double>(fixture.type->properties.power_w)) : 0.0;
-}
-
 double weight_of(const PatchedFixture& fixture) {
     return fixture.type ? std::max(0.0, static_cast<double>(fixture.type->properties.weight_kg)) : 0.0;
 }
 
 // Neighbours on one fuse.
-struct Circuit {
+struct ProposedCircuit {
     std::string position;
     std::vector<std::size_t> fixtures;
     double power_w = 0;
@@ -36,10 +32,11 @@ struct Circuit {
 };
 
 // As they hang, as many as it takes.
-std::vector<Circuit> circuits_of(const Show& show, const std::vector<Hanging>& hangings, double most_w) {
-    std::vector<Circuit> circuits;
+std::vector<ProposedCircuit> propose_circuits(const Show& show, const std::vector<Hanging>& hangings,
+                                              double most_w) {
+    std::vector<ProposedCircuit> circuits;
     for (const std::size_t i : in_hanging_order(hangings)) {
-        const double power_w = power_of(show.fixtures[i]);
+        const double power_w = power_w_of(show.fixtures[i]);
         if (!(power_w > 0)) continue;
         const bool is_new = circuits.empty() || circuits.back().position != hangings[i].position ||
                             circuits.back().power_w + power_w > most_w;
@@ -51,7 +48,7 @@ std::vector<Circuit> circuits_of(const Show& show, const std::vector<Hanging>& h
 }
 
 // The heaviest first, each to the phase with the least.
-std::array<double, 3> share_out(std::vector<Circuit>& circuits) {
+std::array<double, 3> share_out(std::vector<ProposedCircuit>& circuits) {
     std::vector<std::size_t> order(circuits.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::stable_sort(order.begin(), order.end(),
@@ -63,12 +60,6 @@ std::array<double, 3> share_out(std::vector<Circuit>& circuits) {
         *least += circuits[i].power_w;
     }
     return phases_w;
-}
-
-std::string names_of(const Show& show, const PrintStyle& style, const std::vector<std::size_t>& fixtures) {
-    std::vector<std::string> names;
-    for (const std::size_t i : fixtures) names.push_back(show.fixtures[i].name);
-    return names_text(names, style);
 }
 
 } // namespace
@@ -85,7 +76,7 @@ PaperTable positions_of(const Show& show, const PrintStyle& style) {
         if (loads.empty() || loads.back().first != hangings[i].position)
             loads.emplace_back(hangings[i].position, Load{});
         Load& load = loads.back().second;
-        const double weight_kg = weight_of(show.fixtures[i]), power_w = power_of(show.fixtures[i]);
+        const double weight_kg = weight_of(show.fixtures[i]), power_w = power_w_of(show.fixtures[i]);
         ++load.fixtures;
         load.weight_kg += weight_kg;
         load.power_w += power_w;
@@ -124,12 +115,12 @@ PaperTable cables_of(const Show& show, const PrintStyle& style) {
     return table;
 }
 
-PaperTable phases_of(const Show& show, const PrintStyle& style, double circuit_w) {
+PaperTable phases_proposed(const Show& show, const PrintStyle& style, double circuit_w) {
     PaperTable table{"phases_proposal", style("Phases: a proposal"), {}, {}, {}};
     table.columns = {{style("phase")}, {style("circuit"), true},  {style("hangs on")},
                      {style("name")},  {style("fixtures"), true}, {"W", true}};
     const std::vector<Hanging> hangings = hangings_of(show);
-    std::vector<Circuit> circuits = circuits_of(show, hangings, circuit_w);
+    std::vector<ProposedCircuit> circuits = propose_circuits(show, hangings, circuit_w);
     const std::array<double, 3> phases_w = share_out(circuits);
     table.unknown.push_back(
         style("A PROPOSAL, made by this program: neither the plot nor the show says phases or circuits."));
@@ -141,7 +132,7 @@ PaperTable phases_of(const Show& show, const PrintStyle& style, double circuit_w
         const std::string name = "L" + std::to_string(phase + 1);
         table.unknown.push_back(style("Phase %1: %2 W.", {name, style.number(phases_w[phase], 0)}));
         std::size_t number = 0;
-        for (const Circuit& circuit : circuits)
+        for (const ProposedCircuit& circuit : circuits)
             if (circuit.phase == phase)
                 table.rows.push_back(
                     {{name, std::to_string(++number), circuit.position,
@@ -150,8 +141,8 @@ PaperTable phases_of(const Show& show, const PrintStyle& style, double circuit_w
     }
     std::vector<std::size_t> unsaid, too_much;
     for (std::size_t i = 0; i < show.fixtures.size(); ++i) {
-        if (!(power_of(show.fixtures[i]) > 0)) unsaid.push_back(i);
-        if (power_of(show.fixtures[i]) > circuit_w) too_much.push_back(i);
+        if (!(power_w_of(show.fixtures[i]) > 0)) unsaid.push_back(i);
+        if (power_w_of(show.fixtures[i]) > circuit_w) too_much.push_back(i);
     }
     if (!unsaid.empty())
         table.unknown.push_back(

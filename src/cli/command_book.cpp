@@ -44,6 +44,7 @@ Result<void> check_usage(BookArguments& arguments) {
     if (arguments.cues) arguments.book.kind = scene::BookKind::cues;
     if (arguments.looks) arguments.book.kind = scene::BookKind::looks;
     if (arguments.find) arguments.book.kind = scene::BookKind::found;
+    if (!arguments.book.marks.empty()) arguments.book.kind = scene::BookKind::marks;
     return {};
 }
 
@@ -98,8 +99,20 @@ void add_book(CLI::App& app, int& exit_code) {
         command->add_flag("--looks", a->looks, "an entry for each look (default, where there are no cues)");
     CLI::Option* find =
         command->add_flag("--find", a->find, "an entry wherever the show's recording comes to rest");
-    cues->excludes(looks)->excludes(find);
-    looks->excludes(find);
+    CLI::Option* marks =
+        command
+            ->add_option("--marks", a->book.marks,
+                         "an entry for each line of a CSV file: time (seconds or H:MM:SS) of the show's "
+                         "recording, number, name, note")
+            ->type_name("FILE")
+            ->check(CLI::ExistingFile);
+    command
+        ->add_option("--mark-fps", a->book.mark_fps, "frames a second of time code (H:MM:SS:FF) in --marks")
+        ->needs(marks)
+        ->check(CLI::IsMember({"24", "25", "30"}));
+    cues->excludes(looks)->excludes(find)->excludes(marks);
+    looks->excludes(find)->excludes(marks);
+    find->excludes(marks);
     command
         ->add_option("--view", a->book.views,
                      "from this camera (may be repeated; default: where the cues have put the picture)")
@@ -127,7 +140,8 @@ void add_book(CLI::App& app, int& exit_code) {
         ->type_name("NAME");
     command->add_flag("--quiet", session.quiet, "print warnings and errors only");
     command->footer("Example: ghostlight book assets/demo -o book --view house --view close\n"
-                    "         ghostlight book assets/demo -o book_2 --against book");
+                    "         ghostlight book assets/demo -o book_2 --against book\n"
+                    "         ghostlight book assets/demo -o book_3 --marks cues.csv");
     command->callback([a, &exit_code] {
         if (a->book.session.quiet) set_log_level(LogLevel::warning);
         if (const Result<void> usage = check_usage(*a); !usage.ok()) {

@@ -16,6 +16,8 @@
 
 #include "base/interrupt.h"
 #include "base/log.h"
+#include "base/progress.h"
+#include "base/steady_time.h"
 
 #include <memory>
 #include <optional>
@@ -25,6 +27,9 @@ namespace ghost::app {
 namespace {
 
 constexpr const char* kPaperFile = "instruments.csv"; // by which a folder is known as one of these
+
+// Of all the time, roughly.
+constexpr double kOpenedShare = 0.3, kStageShare = 0.4, kPlanShare = 0.6, kDrawnShare = 0.8;
 
 struct PaperArguments {
     std::string show;
@@ -100,6 +105,12 @@ Result<void> make_paper(const PaperArguments& arguments) {
     const bool needs_stage = arguments.plan || arguments.focus;
     TRY(scene::Show show, open_show(arguments.show, needs_stage, arguments.quiet, report));
     show.motion = fixture::Motion::as_commanded;
+    Progress progress("paperwork", arguments.quiet ? Progress::Style::silent : Progress::style_for_stderr(),
+                      steady_now_s());
+    const auto goes_on = [&](double share, const char* what) {
+        progress.update(share, steady_now_s(), what);
+    };
+    goes_on(kOpenedShare, "bodies");
     const scene::PrintStyle style = arguments.print.style();
     std::vector<scene::PaperDrawing> drawings;
     const scene::Stage stage = needs_stage ? scene::stage_with_bodies(show, report) : scene::Stage{};
@@ -116,13 +127,17 @@ Result<void> make_paper(const PaperArguments& arguments) {
         failed = Error{"not all drawings could be made; the rest is written", arguments.out};
     };
     if (arguments.plan) {
+        goes_on(kStageShare, "plan and section");
         add(draw_plan(arguments, show, stage, folder), "plan.pdf", style("Plan") + ", " + style("Section"));
         if (interrupted()) return interruption;
     }
     if (arguments.focus) {
+        goes_on(kPlanShare, "focus charts");
         add(draw_focus(arguments, show, stage, folder, report), "focus.pdf", style("Focus charts"));
         if (interrupted()) return interruption;
     }
+    goes_on(kDrawnShare, "tables");
+    progress.finish();
     print_report(report);
     const scene::Paper paper = scene::paper_of(show, style, arguments.circuit_w);
     for (const scene::PaperTable& table : paper.tables)

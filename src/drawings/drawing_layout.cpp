@@ -49,9 +49,9 @@ SymbolPlace place_of(const RiggedFixture& fixture, const View& view) {
 } // namespace
 
 Drawing::Drawing(PdfWriter& pdf, const Show& show, const Stage& stage, const DrawingOptions& options,
-                 const View& view, bool is_plan, const Rigging& rigging)
+                 const View& view, bool is_plan, const Rigging& rigging, FileSymbols& file_symbols)
     : pdf_(pdf), show_(show), stage_(stage), options_(options), style_(options.style), view_(view),
-      is_plan_(is_plan), rigging_(rigging), room_(room_on(pdf)) {
+      is_plan_(is_plan), rigging_(rigging), file_symbols_(file_symbols), room_(room_on(pdf)) {
     for (const RiggedFixture& fixture : rigging.fixtures)
         if (!view.is_cut_away(show.fixtures[fixture.fixture].position_m) &&
             is_finite(view.flat(show.fixtures[fixture.fixture].position_m)))
@@ -138,12 +138,23 @@ void Drawing::place_symbols() {
                     symbol.box.include(drawn.back());
                 }
             }
-        if (!symbol.bodies.empty()) continue;
+        if (is_plan_) take_lines(fixture, symbol);
+        if (!symbol.bodies.empty() || !symbol.lines.empty()) continue;
         for (const double x : {-0.5, 0.5})
             for (const double y : {-0.5, 0.5})
                 symbol.box.include(symbol.place.at + x * symbol.place.size_pt.x * symbol.place.right +
                                    y * symbol.place.size_pt.y * symbol.place.front);
     }
+}
+
+// Of the fixture's own file.
+void Drawing::take_lines(const RiggedFixture& fixture, DrawnSymbol& symbol) {
+    symbol.lines = file_symbols_.seen(show_.fixtures[fixture.fixture], fixture.to_world, view_);
+    for (FlatLine& line : symbol.lines)
+        for (glm::dvec2& point : line.points) {
+            point = symbol.place.at + glm::dvec2(point.x, -point.y) * metre_pt_;
+            symbol.box.include(point);
+        }
 }
 
 void Drawing::put(Labels& labels, DrawnLabel label, std::vector<std::string>* without) {
@@ -238,9 +249,16 @@ void Drawing::place_labels(Labels& labels) {
 std::vector<std::string> Drawing::notes(const std::vector<std::string>& without) const {
     std::vector<std::string> said;
     said.push_back(style_("Beside a symbol: [number on the position] (channel) universe.address."));
-    if (is_plan_)
+    const auto of_files = std::count_if(symbols_.begin(), symbols_.end(),
+                                        [](const DrawnSymbol& one) { return !one.lines.empty(); });
+    if (of_files > 0)
+        said.push_back(style_("Symbols are those of the fixtures' own files (GDTF) where they have one."));
+    if (is_plan_ && of_files == 0)
         said.push_back(
             style_("Symbols stand for what a type does, as large as its body, turned as it hangs."));
+    if (is_plan_ && of_files > 0 && of_files < std::ssize(symbols_))
+        said.push_back(style_("Symbols without such a file stand for what a type does, as large as its body, "
+                              "turned as it hangs."));
     if (show_.fixtures.empty()) said.push_back(style_("The show has no fixtures."));
     if (stage_.instances.empty())
         said.push_back(style_("The show has no stage model: trusses and set are not drawn."));

@@ -111,7 +111,14 @@ void Drawing::draw_rig(const glm::dvec2& offset, const Extent2& window) {
         if (!moved(symbol.box).touches(window)) continue;
         SymbolPlace place = symbol.place;
         place.at += offset;
-        if (symbol.bodies.empty()) draw_symbol(pdf_, symbol.kind, place);
+        if (!symbol.lines.empty()) {
+            std::vector<FlatLine> lines = symbol.lines;
+            for (FlatLine& line : lines)
+                for (glm::dvec2& point : line.points) point += offset;
+            scene::draw_lines(pdf_, lines);
+        } else if (symbol.bodies.empty()) {
+            draw_symbol(pdf_, symbol.kind, place);
+        }
         for (std::vector<glm::dvec2> body : symbol.bodies) {
             for (glm::dvec2& point : body) point += offset;
             pdf_.shape(body, true, kBody);

@@ -13,13 +13,23 @@ std::string type_text(const PatchedFixture& fixture) {
     return fixture.type->manufacturer + (fixture.type->manufacturer.empty() ? "" : " ") + fixture.type->name;
 }
 
-std::vector<LegendLine> legend_of(const Show& show, const std::vector<RiggedFixture>& rig) {
-    std::map<std::pair<int, std::string>, std::size_t> counts;
-    for (const RiggedFixture& fixture : rig)
-        ++counts[{static_cast<int>(fixture.kind), type_text(show.fixtures[fixture.fixture])}];
+std::vector<LegendLine> legend_of(const Show& show, const std::vector<RiggedFixture>& rig,
+                                  FileSymbols& symbols) {
+    struct Kind {
+        std::size_t count = 0;
+        const PatchedFixture* first = nullptr;
+    };
+    std::map<std::pair<int, std::string>, Kind> kinds;
+    for (const RiggedFixture& fixture : rig) {
+        const PatchedFixture& patched = show.fixtures[fixture.fixture];
+        Kind& kind = kinds[{static_cast<int>(fixture.kind), type_text(patched)}];
+        if (!kind.first) kind.first = &patched;
+        ++kind.count;
+    }
     std::vector<LegendLine> legend;
-    for (const auto& [key, count] : counts)
-        legend.push_back({static_cast<SymbolKind>(key.first), key.second, count});
+    for (const auto& [key, kind] : kinds)
+        legend.push_back(
+            {static_cast<SymbolKind>(key.first), key.second, kind.count, symbols.from_above(*kind.first)});
     return legend;
 }
 
@@ -28,15 +38,16 @@ std::vector<LegendLine> legend_of(const Show& show, const std::vector<RiggedFixt
 Result<Drawings> drawings_of(const Show& show, const Stage& stage, const DrawingOptions& options) {
     const PrintStyle& style = options.style;
     const Rigging rigging = rigging_of(show, stage);
-    const std::vector<LegendLine> legend = legend_of(show, rigging.fixtures);
+    FileSymbols symbols;
+    const std::vector<LegendLine> legend = legend_of(show, rigging.fixtures, symbols);
     TitleBlock title;
     title.show = show.name.empty() ? show.folder.filename().string() : show.name;
     title.paper = std::string(format_of(options.paper).name);
     title.date = options.date;
     PdfWriter pdf(options.paper, true, title.show + ": " + style("Plan"));
     Drawings made;
-    Drawing plan(pdf, show, stage, options, from_above(), true, rigging);
-    Drawing section(pdf, show, stage, options, from_the_side(options.section_x_m), false, rigging);
+    Drawing plan(pdf, show, stage, options, from_above(), true, rigging, symbols);
+    Drawing section(pdf, show, stage, options, from_the_side(options.section_x_m), false, rigging, symbols);
     TRY(const std::size_t of_plan, plan.lay_out(made.plan_scale));
     TRY(const std::size_t of_section, section.lay_out(made.section_scale));
     made.sheets = of_plan + of_section;

@@ -35,16 +35,6 @@ Box box_of(const Mesh& mesh) {
     return box;
 }
 
-// Parts of a fixture whose axes all stand at 0.
-std::vector<fixture::PartState> straight_parts(const PatchedFixture& fixture) {
-    const fixture::Patch patch = fixture.patch();
-    fixture::State state = fixture::make_state(patch);
-    fixture::Targets targets = fixture::decode(patch, {});
-    for (auto& axis : targets.axes) axis = {};
-    fixture::step(state, patch, targets, 0.0);
-    return state.parts;
-}
-
 class Bodies {
 public:
     Bodies(const Show& show, const Stage& stage) : show_(show), stage_(stage) {
@@ -247,6 +237,15 @@ std::vector<HungBar> hung_bars(const Show& show, const std::vector<RiggedFixture
 }
 
 } // namespace
+
+std::vector<fixture::PartState> straight_parts(const PatchedFixture& fixture) {
+    const fixture::Patch patch = fixture.patch();
+    fixture::State state = fixture::make_state(patch);
+    fixture::Targets targets = fixture::decode(patch, {});
+    for (auto& axis : targets.axes) axis = {};
+    fixture::step(state, patch, targets, 0.0);
+    return state.parts;
+}
 
 Rigging rigging_of(const Show& show, const Stage& stage) {
     Rigging rigging;

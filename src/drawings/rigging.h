@@ -5,6 +5,7 @@
 
 #include "drawings/symbols.h"
 #include "drawings/view.h"
+#include "fixture/state.h"
 #include "show_folder/hang.h"
 #include "stage/stage.h"
 
@@ -16,6 +17,7 @@
 namespace ghost::scene {
 
 struct Show;
+struct PatchedFixture;
 
 inline constexpr std::size_t kMostBars = 4'000; // pieces that are joined, those with fixtures first
 inline constexpr double kAssumedSize_m = 0.35;  // of a body that nobody describes
@@ -45,6 +47,8 @@ struct Rigging {
 
 // stage: with the bodies (light/bodies.h).
 Rigging rigging_of(const Show& show, const Stage& stage);
+// Parts of a fixture whose axes all stand at 0. Its type has a mode.
+std::vector<fixture::PartState> straight_parts(const PatchedFixture& fixture);
 // The bodies of each fixture as they are seen, a convex polygon for each part; of a wall its panel.
 std::vector<std::vector<std::vector<glm::dvec2>>> bodies_seen(const Show& show, const Stage& stage,
                                                               const View& view);

@@ -26,16 +26,35 @@ void rectangle(PdfWriter& pdf, const Extent2& box, const PdfInk& ink) {
     pdf.shape(corners, true, ink);
 }
 
+// Into a box of the page.
+std::vector<FlatLine> fitted(std::vector<FlatLine> lines, const glm::dvec2& middle, const glm::dvec2& room) {
+    Extent2 all;
+    for (const FlatLine& line : lines)
+        for (const glm::dvec2& point : line.points) all.include(point);
+    const glm::dvec2 size = glm::max(all.size(), glm::dvec2(1e-6));
+    const double scale = std::min(room.x / size.x, room.y / size.y);
+    for (FlatLine& line : lines)
+        for (glm::dvec2& point : line.points) {
+            const glm::dvec2 from = (point - all.middle()) * scale;
+            point = middle + glm::dvec2(from.x, -from.y);
+        }
+    return lines;
+}
+
 void draw_legend_line(PdfWriter& pdf, const PrintStyle& style, const LegendLine& line, double x, double y,
                       double width) {
     const bool is_long = line.kind == SymbolKind::bar || line.kind == SymbolKind::wall;
-    draw_symbol(
-        pdf, line.kind,
-        {{x + 10, y + 0.5 * kLine_pt}, {1, 0}, {0, -1}, is_long ? glm::dvec2(18, 4) : glm::dvec2(12)});
+    const glm::dvec2 middle(x + 10, y + 0.5 * kLine_pt);
+    if (line.lines.empty())
+        draw_symbol(pdf, line.kind, {middle, {1, 0}, {0, -1}, is_long ? glm::dvec2(18, 4) : glm::dvec2(12)});
+    else
+        draw_lines(pdf, fitted(line.lines, middle, {18, 15}));
     const double words = x + 24, count = 26;
     const std::string type = line.type.empty() ? style("file not read") : line.type;
     pdf.line_of_text(words, y + 1, width - 24 - count, type, kWords);
-    pdf.line_of_text(words, y + 8.5, width - 24 - count, style(word_of(line.kind)), kSmall);
+    const std::string kind = style(word_of(line.kind));
+    pdf.line_of_text(words, y + 8.5, width - 24 - count,
+                     line.lines.empty() ? kind : style("%1, symbol of its file", {kind}), kSmall);
     pdf.line_of_text(x + width - count, y + 3, count, std::to_string(line.count),
                      {.size_pt = 8, .is_right = true});
 }

@@ -4,6 +4,7 @@
 // drawing is spread over sheets. Points, from the upper left corner. One thread.
 
 #include "drawings/drawings.h"
+#include "drawings/file_symbols.h"
 #include "drawings/symbols.h"
 #include "drawings/view.h"
 #include "print/pdf_writer.h"
@@ -18,6 +19,7 @@ struct LegendLine {
     SymbolKind kind = SymbolKind::other;
     std::string type; // "Vari-Lite VL2500 Spot"
     std::size_t count = 0;
+    std::vector<FlatLine> lines; // metres: as its own file draws it; empty: as kind
 };
 
 struct TitleBlock {

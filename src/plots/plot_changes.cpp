@@ -3,9 +3,11 @@
 
 #include "dmx/wire/universes.h"
 #include "json_xml_toml/toml_reader.h"
+#include "show/show.h"
 #include "show_file/scene_toml.h"
 
 #include <cmath>
+#include <map>
 
 #include <glm/gtc/matrix_transform.hpp>
 
@@ -112,6 +114,17 @@ std::vector<PlotChange> apply_changes(Plot& plot, const std::vector<ChangeEntry>
     }
     if (is_moved) update_world(plot);
     return changes;
+}
+
+void apply_circuits(Show& show, const std::vector<ChangeEntry>& entries) {
+    std::map<std::string, std::string> circuits;
+    for (const ChangeEntry& entry : entries)
+        if (entry.circuit) circuits[uuid_key(entry.uuid)] = *entry.circuit;
+    for (PatchedFixture& fixture : show.fixtures) {
+        if (fixture.uuid.empty()) continue;
+        if (const auto found = circuits.find(uuid_key(fixture.uuid)); found != circuits.end())
+            fixture.circuit = found->second;
+    }
 }
 
 } // namespace ghost::scene

@@ -15,10 +15,15 @@
 
 namespace ghost::scene {
 
+struct Show; // show/show.h
+
 // For this plot. An entry whose object the plot does not have (or no longer has) becomes changes all the
 // same, which merge_plots reports; apply_changes says so.
 std::vector<PlotChange> plot_changes(const Plot& plot, const std::vector<ChangeEntry>& entries,
                                      const glm::dvec3& origin_m);
+
+// What feeds the fixtures of the plot; plots say nothing of it.
+void apply_circuits(Show& show, const std::vector<ChangeEntry>& entries);
 
 // One by one, in their order: a child is placed in the frame of a parent that has been moved already. They
 // come back as they were applied.

@@ -29,11 +29,12 @@ ChangeEntry read_change(TableReader& reader) {
     entry.position_m = reader.vec3("position_m", kMaxCoordinate_m);
     entry.rotation_deg = reader.vec3("rotation_deg", 360);
     entry.hidden = reader.boolean("hidden");
+    entry.circuit = reader.text("circuit");
     if (!entry.uuid.empty() && !entry.address && !entry.mode && !entry.name && !entry.position_m &&
-        !entry.rotation_deg && !entry.hidden)
+        !entry.rotation_deg && !entry.hidden && !entry.circuit)
         reader.problem(Severity::warning, "uuid",
-                       "changes nothing, expected universe and address, mode, name, position_m, rotation_deg "
-                       "or hidden");
+                       "changes nothing, expected universe and address, mode, name, position_m, "
+                       "rotation_deg, circuit or hidden");
     reader.finish();
     return entry;
 }

@@ -26,6 +26,7 @@ struct ChangeEntry {
     std::optional<glm::vec3> position_m;
     std::optional<glm::vec3> rotation_deg;
     std::optional<bool> hidden;
+    std::optional<std::string> circuit; // that feeds it (show/circuits.h)
 };
 
 ChangeEntry read_change(TableReader& reader);

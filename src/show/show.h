@@ -11,6 +11,7 @@
 #include "fixture/type.h"
 #include "show/bounce_detail.h"
 #include "show/camera.h"
+#include "show/circuits.h"
 #include "show/cues.h"
 #include "show/laser.h"
 #include "show/led_wall.h"
@@ -117,6 +118,7 @@ struct PatchedFixture {
     int mover = kNoMover;                   // that carries it (show/movers.h)
     std::string fixture_id; // of the plot, as the desk calls it; "" where the show file has the fixture
     std::string uuid;       // of the plot's object, or ""
+    std::string circuit;    // that feeds it, by name (show/circuits.h), or ""
 
     // Where its channels are; for readers of channels, type must be there.
     fixture::Patch patch() const;
@@ -155,6 +157,7 @@ struct Show {
     std::vector<ObjectSettings> objects; // applied by stage_with_bodies
     std::vector<Camera> cameras;
     std::vector<PatchedFixture> fixtures;
+    std::vector<Circuit> circuits;
     std::vector<Cue> cues;
     std::vector<Palette> palettes;
     std::vector<Media> media;

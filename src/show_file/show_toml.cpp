@@ -139,6 +139,7 @@ PatchedFixture read_fixture(TableReader& reader, const std::string& name, const 
 
     if (const auto more = reader.pairs("more_addresses", kMaxBreaks, {1, 0}, {dmx::kMaxUniverse, 512}))
         for (const glm::ivec2& place : *more) fixture.more_addresses.push_back({place.x, place.y});
+    fixture.circuit = reader.text("circuit").value_or("");
     fixture.invert_pan = reader.boolean("invert_pan").value_or(false);
     fixture.invert_tilt = reader.boolean("invert_tilt").value_or(false);
 
@@ -255,6 +256,7 @@ void read_sections(const toml::table& root, const std::string& file, ParsedShow&
 
     show.tracking = read_tracking(top, file, report);
     show.movers = read_movers(top, file, report);
+    show.circuits = read_circuits(top, file, report);
     show.cues = read_cues(top, file, report);
     show.palettes = read_palettes(top, file, report);
     read_media(top, file, show, report);

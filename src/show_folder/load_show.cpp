@@ -231,8 +231,10 @@ Result<void> open_plot(ParsedShow& parsed, Report& report, const ShowLoading& lo
     check_hidden(show, show.hidden_layers, true, file_line(file, parsed.hidden_layers_line), report);
     check_hidden(show, show.hidden_classes, false, file_line(file, parsed.hidden_classes_line), report);
     const std::vector<bool> shown = shown_objects(show.plot->plot, show.hidden_layers, show.hidden_classes);
-    return add_plot_fixtures(show, shown, parsed.substitutes, parsed.walls, report,
-                             part_of(loading, kPlotShare, kFixturesShare));
+    TRY_VOID(add_plot_fixtures(show, shown, parsed.substitutes, parsed.walls, report,
+                               part_of(loading, kPlotShare, kFixturesShare)));
+    apply_circuits(show, parsed.changes);
+    return {};
 }
 
 Result<ParsedShow> parse_file(const fs::path& path, Report& report) {
@@ -295,6 +297,7 @@ Result<Show> load_parsed(ParsedShow parsed, bool load_stage, Report& report, con
     check_tracking(show, report);
     check_movers(show, report);
     check_cues(show, report);
+    check_circuits(show, report);
     check_palettes(show, report);
     const bool needs_cameras = show.cameras.empty();
     if (load_stage || needs_cameras) {

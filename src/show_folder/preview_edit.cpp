@@ -18,6 +18,7 @@ Result<Show> preview_edit(const Show& before, const std::string& text) {
     show.fixtures = std::move(parsed.show.fixtures);
     if (!parsed.show.cameras.empty())
         show.cameras = std::move(parsed.show.cameras); // else those that were made
+    show.circuits = std::move(parsed.show.circuits);
     show.cues = std::move(parsed.show.cues);
     show.palettes = std::move(parsed.show.palettes);
     show.haze = parsed.show.haze;
@@ -39,6 +40,7 @@ Result<Show> preview_edit(const Show& before, const std::string& text) {
             if (change.position_m) fixture.position_m = *change.position_m;
             if (change.rotation_deg) fixture.rotation_deg = *change.rotation_deg;
             if (change.hidden) hidden = *change.hidden;
+            if (change.circuit) fixture.circuit = *change.circuit;
             if (change.address && change.dmx_break == 1) {
                 fixture.universe = change.address->universe;
                 fixture.address = change.address->channel;

@@ -191,5 +191,37 @@ TEST(BookPage, is_german_where_it_is_asked_for) {
         EXPECT_EQ(page.find(part), std::string::npos) << part;
 }
 
+TEST(Marks, are_read_and_what_is_none_is_said) {
+    Report report;
+    const std::string csv = "\xef\xbb\xbftime,number,name,note\r\n1:23.5,12,\"Solo, \"\"slow\"\"\",\r\n"
+                            "5;3;Haze;from the left\nsoon,4,Never,\n\n# a remark\n00:00:10:12,5,,\n"
+                            "0:75,6,,\n-1,7,,\n9";
+    const std::vector<Mark> marks = read_marks(csv, "cues.csv", 25, report);
+    ASSERT_EQ(marks.size(), 4u) << "in the order of time";
+    EXPECT_EQ(marks[0].at_s, 5);
+    EXPECT_EQ(marks[0].note, "from the left");
+    EXPECT_EQ(marks[1].at_s, 9);
+    EXPECT_DOUBLE_EQ(marks[2].at_s, 10.48);
+    EXPECT_EQ(marks[3].at_s, 83.5);
+    EXPECT_EQ(marks[3].name, "Solo, \"slow\"");
+    ASSERT_EQ(report.messages.size(), 3u);
+    EXPECT_EQ(report.messages[0].where, "cues.csv:4");
+    Report rateless;
+    EXPECT_TRUE(read_marks("00:00:10:12,5\n", "cues.csv", 0, rateless).empty());
+    EXPECT_NE(rateless.messages.at(0).what.find("--mark-fps"), std::string::npos);
+    for (std::size_t size = 0; size < csv.size(); ++size)
+        (void)read_marks(csv.substr(0, size), "", 25, rateless);
+    Show show;
+    show.recording = "a.ghostdmx";
+    const auto plan = plan_book(show, {}, BookKind::marks, {}, {}, marks);
+    ASSERT_TRUE(plan.ok());
+    EXPECT_EQ(plan->kind, "marks");
+    EXPECT_EQ(plan->entries[0].entry.name, "3 Haze");
+    EXPECT_EQ(plan->entries[1].entry.name, "0:09");
+    EXPECT_FALSE(plan_book(show, {}, BookKind::marks, {}, {}, {}).ok());
+    show.recording.clear();
+    EXPECT_FALSE(plan_book(show, {}, BookKind::marks, {}, {}, marks).ok());
+}
+
 } // namespace
 } // namespace ghost::scene

@@ -79,6 +79,49 @@ TEST(Phases, are_not_there_where_nobody_says_a_power) {
     for (const PaperTable& one : paper_of(show).tables) EXPECT_NE(one.file, "phases_proposal");
 }
 
+// With a plug of 230 V and a power factor.
+std::shared_ptr<const fixture::Type> type_with_plug(int watts) {
+    fixture::Description description;
+    description.physical = "<Connectors><Connector Name=\"In\" Type=\"NAC3FCA\"/></Connectors><Properties>"
+                           "<PowerConsumption Connector=\"In\" PowerFactor=\"0.5\" VoltageLow=\"100\" "
+                           "VoltageHigh=\"240\" Value=\"" +
+                           std::to_string(watts) + "\"/></Properties>";
+    return std::make_shared<const fixture::Type>(fixture::loaded(description).type);
+}
+
+TEST(Circuits, add_up_what_the_show_plugs_into_them) {
+    Show show = rig();
+    show.fixtures[3].type = type_with_plug(230);
+    show.circuits = {{"A", "L1", 16, 230}, {"B", "L2", 10, 230}, {"spare", "L3", 16, 230}};
+    for (const int i : {0, 1, 3}) show.fixtures[static_cast<std::size_t>(i)].circuit = "A";
+    show.fixtures[2].circuit = show.fixtures[4].circuit = show.fixtures[5].circuit = "B";
+    show.fixtures[6].circuit = "dimmer 12"; // of which nothing is said, nor of its power
+    const Paper paper = paper_of(show);
+    const PaperTable& circuits = table_named(paper, "circuits");
+    ASSERT_EQ(circuits.rows.size(), 4u);
+    EXPECT_EQ(circuits.rows[0].cells,
+              (Row{"A", "L1", "3", "Spot 1-2, Spot 4", "2230", "", "230", "10.7", "16"}))
+        << "230 W at a factor of 0.5 take 2 A";
+    EXPECT_EQ(circuits.rows[1].cells,
+              (Row{"B", "L2", "3", "Spot 3, Spot 5-6", "3000", "", "230", "13", "10"}));
+    EXPECT_EQ(circuits.rows[2].cells, (Row{"spare", "L3", "0", "", "", "", "230", "", "16"}));
+    EXPECT_EQ(circuits.rows[3].cells, (Row{"dimmer 12", "", "1", "Spot 7", "", "1", "", "", ""}));
+    EXPECT_EQ(circuits.unknown.at(0), "ABOVE ITS BREAKER: circuit B (13 A of 10 A).");
+    EXPECT_NE(circuits.unknown.back().find("the file of 5 says no power factor"), std::string::npos);
+    const PaperTable& phases = table_named(paper, "phases");
+    EXPECT_EQ(phases.rows.at(0).cells, (Row{"L1", "1", "3", "2230", "", "10.7"}));
+    EXPECT_EQ(phases.rows.at(3).cells, (Row{"nobody says", "1", "1", "", "1", ""}));
+    for (const PaperTable& one : paper.tables) EXPECT_NE(one.file, "phases_proposal");
+    EXPECT_EQ(table_named(paper, "plugs").rows.at(1).cells, (Row{"NAC3FCA", "In", "100-240", "1", "230"}));
+    show.fixtures[6].circuit.clear();
+    show.circuits[0].voltage_v = 0;
+    const Paper less = paper_of(show);
+    EXPECT_EQ(table_named(less, "circuits").unknown.back(), "On no circuit: Spot 7.");
+    EXPECT_EQ(table_named(less, "circuits").unknown.at(1),
+              "Amperes are not known of circuits without a voltage: A.");
+    EXPECT_EQ(table_named(less, "phases").rows.at(0).cells.back(), "") << "not half a sum";
+}
+
 TEST(Cables, are_those_of_the_plot) {
     Show show = rig();
     PlotConnection cable;

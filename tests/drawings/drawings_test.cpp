@@ -2,6 +2,7 @@
 // Plans and sections: lines of objects, which symbol stands for what, words that cover nothing, sheets.
 #include "drawings/drawings.h"
 
+#include "drawings/file_symbols.h"
 #include "drawings/labels.h"
 #include "drawings/outlines.h"
 #include "drawings/rigging.h"
@@ -184,6 +185,51 @@ TEST(Labels, cover_neither_each_other_nor_symbols) {
     for (std::size_t a = 0; a < boxes.size(); ++a)
         for (std::size_t b = 0; b < a; ++b) EXPECT_FALSE(boxes[a].touches(boxes[b])) << a << " " << b;
     EXPECT_FALSE(labels.place({500, 10}, boxes[0]));
+}
+
+// A box of 0.4 by 0.2 m, drawn 0.1 m to the right of where it is put in.
+std::shared_ptr<const fixture::Type> type_with_symbol() {
+    fixture::Description description;
+    description.models = R"(<Model Name="Body" PrimitiveType="Cube" Length="0.4" Width="0.2" Height="0.2"/>)";
+    description.geometries = R"(<Geometry Name="Base" Model="Body"><Beam Name="Beam"/></Geometry>)";
+    fixture::Type type = fixture::loaded(description).type;
+    type.models.at(0).symbols[0] = {
+        {{{-0.1f, -0.1f}, {0.3f, -0.1f}, {0.3f, 0.1f}, {-0.1f, 0.1f}}, true, true}};
+    return std::make_shared<const fixture::Type>(std::move(type));
+}
+
+Extent2 extent_of(const std::vector<FlatLine>& lines) {
+    Extent2 all;
+    for (const FlatLine& line : lines)
+        for (const glm::dvec2& point : line.points) all.include(point);
+    return all;
+}
+
+TEST(Symbols, of_the_fixtures_own_file_turn_as_it_hangs) {
+    PatchedFixture fixture;
+    fixture.type = type_with_symbol();
+    FileSymbols symbols;
+    const auto seen = [&](const glm::vec3& rotation_deg) {
+        fixture.rotation_deg = rotation_deg;
+        fixture.position_m = {7, 8, 9};
+        return extent_of(symbols.seen(fixture, fixture_to_world(fixture, 0), from_above()));
+    };
+    EXPECT_NEAR(seen({0, 0, 0}).high.x, 0.3, 1e-6);
+    EXPECT_NEAR(seen({0, 0, 90}).high.y, 0.3, 1e-6);
+    EXPECT_NEAR(seen({0, 0, 90}).size().x, 0.2, 1e-6);
+    EXPECT_NEAR(seen({180, 0, 0}).high.x, 0.3, 1e-6) << "on the floor it is mirrored";
+    EXPECT_TRUE(seen({90, 0, 0}).is_empty()) << "its back is seen, and the file has none";
+    fixture.type = type_with("");
+    EXPECT_TRUE(seen({0, 0, 0}).is_empty());
+}
+
+TEST(Symbols, of_files_are_drawn_and_the_legend_says_so) {
+    Show show = show_of(3);
+    const Drawings plain = must(drawings_of(show, {}, {}));
+    for (PatchedFixture& fixture : show.fixtures) fixture.type = type_with_symbol();
+    const Drawings drawn = must(drawings_of(show, {}, {}));
+    EXPECT_NE(plain.pdf, drawn.pdf);
+    EXPECT_EQ(must(drawings_of(show, {}, {})).pdf, drawn.pdf);
 }
 
 TEST(Bars, are_named_after_where_lamps_hang) {

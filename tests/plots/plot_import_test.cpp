@@ -111,6 +111,7 @@ uuid = ")" << uuid(20) << R"("
 break = 2
 universe = 5
 address = 50
+circuit = "A3"
 [[change]]
 uuid = ")" << uuid(99) << R"("
 name = "Nobody"
@@ -130,9 +131,11 @@ name = "Nobody"
     ASSERT_EQ(key.more_addresses.size(), 1u);
     EXPECT_EQ(key.more_addresses[0].universe, 5);
     EXPECT_EQ(key.more_addresses[0].channel, 50);
+    EXPECT_EQ(key.circuit, "A3");
+    EXPECT_EQ(own.circuit, "");
     expect_near(key.position_m, {2, 3, 5});
     expect_near(-glm::vec3(fixture_to_world(key, 0)[2]), {0, 0, 1});
-    EXPECT_TRUE(says(report, {"show.toml:27", "(Nobody)", "not in the plot"})) << messages_of(report);
+    EXPECT_TRUE(says(report, {"show.toml:28", "(Nobody)", "not in the plot"})) << messages_of(report);
     EXPECT_EQ(show.cache_folder(), folder / ".ghost");
 }
 

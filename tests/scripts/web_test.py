@@ -8,13 +8,8 @@ import http.server
 import io
 import pathlib
 import re
-import shutil
-import signal
-import socket
-import struct
 import subprocess
 import sys
-import tempfile
 import threading
 import time
 import unittest
@@ -25,141 +20,27 @@ needs.packages("chromium", "python3-numpy", "python3-pil")
 import numpy  # noqa: E402
 from PIL import Image  # noqa: E402
 
-from lib.browser import Browser  # noqa: E402
+from lib.browser import LOW_CONTRAST, Browser  # noqa: E402
+from lib.web_show import EVIL, LONG_S, SCREENS, WebShow, free_port  # noqa: E402
 
 SOURCE, BUILD = pathlib.Path(sys.argv[1]).resolve(), pathlib.Path(sys.argv[2]).resolve()
 PICTURES = pathlib.Path(sys.argv[3]).resolve() if len(sys.argv) > 3 else None
-PROGRAM = BUILD / "ghostlight"
-WORK = pathlib.Path(tempfile.mkdtemp(prefix="ghost-web-"))
-LOOKS = """
-[[look]]
-name = "<b>Verse</b>"
-fade_s = 1.5
-[[look.fixture]]
-name = "Wash 1"
-intensity = 1.0
-[[look]]
-name = "Dark"
-[[look.fixture]]
-name = "Wash 1"
-intensity = 0.0
-"""
-LONG_S = 300  # for what a busy machine may take
-SCREENS = ("picture", "rig", "looks", "stage", "book", "state")
-EVIL = "<img src=x onerror=window.hacked=1><script>hacked=1</script>"  # 64 bytes at most, as the name of a source
-
-
-def free_port(kind=socket.SOCK_STREAM):
-    with socket.socket(socket.AF_INET, kind) as one:
-        one.bind(("127.0.0.1", 0))
-        return one.getsockname()[1]
-
-
-def sacn(number, levels):
-    """A packet of universe 1 (ANSI E1.31)."""
-    head = struct.pack(">HH12sHI16s", 0x10, 0, b"ASC-E1.17\0\0\0", 0x7000 | 622, 4, b"ghostlight-tests")
-    frame = struct.pack(">HI64sBHBBH", 0x7000 | 600, 2, EVIL.encode(), 100, 0, number & 255, 0, 1)
-    return head + frame + struct.pack(">HBBHHHB", 0x7000 | 523, 2, 0xA1, 0, 1, 513, 0) + levels
-
-
-def make_show():
-    """The demo with a hostile name, looks and cues; a fixture may not have one."""
-    show = WORK / "demo"
-    shutil.copytree(SOURCE / "assets/demo", show, ignore=shutil.ignore_patterns(".ghost"))
-    (WORK / "fixtures").symlink_to(SOURCE / "assets/fixtures")
-    toml = show / "show.toml"
-    text = toml.read_text(encoding="utf-8")
-    assert 'name = "Demo"' in text
-    text = text.replace('name = "Demo"', f"name = '{EVIL}'", 1)
-    toml.write_text(f"{text}\n[[cue]]\nname = '{EVIL}'\nat_s = 20\n[[cue]]\nname = 'Close'\ncamera = 'close'\n", encoding="utf-8")
-    (show / "looks.toml").write_text(LOOKS, encoding="utf-8")
-    return show
-
-
-def make_book(show):
-    """One whose entry differs from an older one."""
-    book, old = WORK / "book", WORK / "old"
-    small = ["--size", "160x90", "--looks", "--view", "house", "--quiet"]
-    subprocess.run([PROGRAM, "book", show, "-o", old, *small], check=True)
-    (show / "looks.toml").write_text(LOOKS.replace("intensity = 1.0", "intensity = 0.4"), encoding="utf-8")
-    subprocess.run([PROGRAM, "book", show, "-o", book, "--against", old, *small], check=True)
-    (show / "looks.toml").write_text(LOOKS, encoding="utf-8")
-    return book
-
-
-class Desk(threading.Thread):
-    """Sends a look of the demo by sACN to one port, until it is told to end."""
-
-    def __init__(self, port):
-        super().__init__(daemon=True)
-        sys.path.insert(0, str(SOURCE / "tools/demo_show"))
-        from lib.desk_looks import red_and_blue
-        self.port = port
-        self.levels = bytes(red_and_blue()[0])
-        self.ends = threading.Event()
-
-    def run(self):
-        out = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
-        number = 0
-        while not self.ends.wait(1 / 30):
-            number += 1
-            out.sendto(sacn(number, self.levels), ("127.0.0.1", self.port))
-
-
-ADDRESS = r"(http://127\.0\.0\.1:\d+/#t=[0-9a-f]{32})"
-
-
-class Serve:
-    def __init__(self, show, port, *arguments):
-        self.path = WORK / f"serve-{port}-{time.monotonic_ns()}.out"
-        self.out = self.path.open("w")
-        self.process = subprocess.Popen([str(PROGRAM), "serve", str(show), "--web", str(port), "--size", "640x360", "--view", "house",
-                                         "--interface", "127.0.0.1", *map(str, arguments)], stdout=self.out, stderr=self.out)
-        self.port = port
-        self.address = self.until(ADDRESS)
-        self.token = self.address.rpartition("=")[2]
-        self.control = self.until(r"with control[^\n]*\n\s*" + ADDRESS) if "--control" in arguments else None
-        self.digits = self.until(r"the digits (\d{6})")
-
-    def text(self):
-        return self.path.read_text(encoding="utf-8")
-
-    def until(self, pattern):
-        for _ in range(LONG_S * 10):
-            if found := re.search(pattern, self.text()):
-                return found[1]
-            assert self.process.poll() is None, self.text()
-            time.sleep(0.1)
-        raise AssertionError(f"never {pattern}: {self.text()}")
-
-    def close(self):
-        if self.process.poll() is None:
-            self.process.send_signal(signal.SIGINT)
-        self.out.close()
-        return self.process.wait(timeout=LONG_S)
-
-
 class Web(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
-        cls.show = make_show()
-        cls.sacn = free_port(socket.SOCK_DGRAM)
-        cls.desk = Desk(cls.sacn)
-        cls.desk.start()
-        cls.book = make_book(cls.show)
-        cls.serve = Serve(cls.show, free_port(), "--sacn-port", cls.sacn, "--protocols", "sacn", "--control", "--book", cls.book)
+        cls.show = WebShow(SOURCE, BUILD)
+        cls.serve = cls.show.serve_desk("--control")
         cls.browser = Browser("--host-resolver-rules=MAP rebound.example 127.0.0.1")
 
     @classmethod
     def tearDownClass(cls):
         cls.browser.close()
         code = cls.serve.close()
-        cls.desk.ends.set()
         assert code == 0, cls.serve.text()
         log = re.sub(r"http://127\S+", "", cls.serve.text())
         for token in (cls.serve.token, cls.serve.control.rpartition("=")[2]):
             assert token not in log, "the token is in an address alone, in no other output"
-        shutil.rmtree(WORK)
+        cls.show.close()
 
     def home(self):
         return f"http://127.0.0.1:{self.serve.port}/"
@@ -214,6 +95,8 @@ class Web(unittest.TestCase):
                     small = page.value("[...document.querySelectorAll('button, input')].filter(one => one.offsetParent && "
                                        "(one.offsetHeight < 44 || one.offsetWidth < 44)).map(one => one.textContent)")
                     self.assertEqual(small, [], f"{screen}: targets below 44 px")
+                    self.assertEqual(page.value(LOW_CONTRAST), [], f"{screen} on a {name}: less than 4.5 to 1")
+                    self.assertEqual(page.not_reached_by_tab(), [], f"{screen} on a {name}: by keys")
                     if PICTURES:
                         page.screenshot(PICTURES / f"web-{screen}-{name}.png")
                 self.assertEqual(page.console(), [])
@@ -241,6 +124,64 @@ class Web(unittest.TestCase):
         page.type("wash 1")
         page.until("document.querySelector('.count').textContent === '1 of 10 lamps'")
         page.call("Page.close")
+
+    def test_text_of_twice_the_size_fits(self):
+        page = self.browser.page(self.serve.address, 1280, 800)
+        page.until("document.querySelector('.line').textContent === 'live'")
+        page.value("document.documentElement.style.fontSize = '200%'")
+        for number, screen in enumerate(SCREENS, 1):
+            page.value("document.activeElement.blur()")
+            page.key(str(number))
+            page.until(f"!document.querySelector('ghost-{screen}').hidden")
+            time.sleep(0.3)
+            self.assertFalse(page.value("document.documentElement.scrollWidth > innerWidth"), f"{screen} is wider than the page")
+            cut = page.value("[...document.querySelectorAll('button')].filter(one => one.offsetParent && one.scrollWidth > one.clientWidth + 1)"
+                             ".map(one => one.textContent)")
+            self.assertEqual(cut, [], f"{screen}: words of buttons are cut")
+            if PICTURES:
+                page.screenshot(PICTURES / f"web-{screen}-twice.png")
+        page.call("Page.close")
+
+    def test_a_show_with_script_in_every_name(self):
+        with WebShow.of_evil_names(SOURCE, BUILD) as show:
+            serve = show.serve("--no-desk", view=None)
+            page = self.browser.page(serve.address, 390, 844)
+            page.until("document.querySelector('.line').textContent === 'live'")
+            for number, screen in enumerate(SCREENS, 1):
+                page.value("document.activeElement.blur()")
+                page.key(str(number))
+                page.until(f"!document.querySelector('ghost-{screen}').hidden")
+                if screen == "rig":
+                    page.until("document.querySelectorAll('.lamps button').length === 3")
+                    page.value("document.querySelector('.lamps button').click()")
+                    page.until("document.querySelector('.why pre')?.textContent.length > 100")
+                time.sleep(0.3)
+                self.assertFalse(page.value("document.documentElement.scrollWidth > innerWidth"), screen)
+            self.assertIn(EVIL, page.value("document.querySelector('ghost-rig').textContent"))
+            self.assertEqual(page.value("typeof window.hacked"), "undefined")
+            self.assertEqual(page.value("[...document.querySelectorAll('main img, main script')].filter(one => !one.src?.startsWith('blob:')).length"), 0)
+            self.assertEqual(page.console(), [])
+            page.call("Page.close")
+            self.assertEqual(serve.close(), 0)
+
+    def test_a_clients_tour_opens_from_a_stick(self):
+        tour = self.show.work / "tour"
+        subprocess.run([self.show.program, "tour", self.show.show, "-o", tour, "--looks", "--view", "house", "--size", "160x90", "--quiet"], check=True)
+        for name, width, height in (("phone", 390, 844), ("laptop", 1280, 800)):
+            page = self.browser.page((tour / "index.html").as_uri(), width, height)
+            page.until("document.images.length >= 2 && [...document.images].slice(0, 2).every(one => one.naturalWidth === 160)")
+            page.value("document.querySelector('input[type=range]').focus()")
+            page.key("ArrowRight")
+            page.until("document.querySelector('.slide .old').style.clipPath.includes('49%')")
+            self.assertFalse(page.value("document.documentElement.scrollWidth > innerWidth"), name)
+            self.assertEqual(page.nameless(), [])
+            self.assertEqual(page.value(LOW_CONTRAST), [])
+            self.assertEqual(page.not_reached_by_tab(), [])
+            self.assertEqual(page.console(), [])
+            self.assertEqual(page.value("typeof window.hacked"), "undefined")
+            if PICTURES:
+                page.screenshot(PICTURES / f"web-tour-{name}.png")
+            page.call("Page.close")
 
     def test_who_controls_recalls_looks_and_calls_cues(self):
         page = self.browser.page(self.serve.control, 1280, 800)
@@ -319,7 +260,7 @@ class Web(unittest.TestCase):
         page.call("Page.close")
 
     def test_six_digits_let_in_and_wrong_ones_do_not(self):
-        serve = Serve(self.show, free_port(), "--no-desk")  # the digits hold for two minutes
+        serve = self.show.serve("--no-desk")  # the digits hold for two minutes
         home = f"http://127.0.0.1:{serve.port}/"
         page = self.browser.page(home, 390, 844)
         page.until("!document.querySelector('ghost-pair').hidden")
@@ -344,7 +285,7 @@ class Web(unittest.TestCase):
         page.call("Page.close")
 
     def test_a_foreign_page_with_the_right_token_sees_nothing(self):
-        folder = WORK / "foreign"
+        folder = self.show.work / "foreign"
         folder.mkdir()
         (folder / "index.html").write_text(f"<!DOCTYPE html><iframe src='{self.home()}'></iframe><p>foreign</p>", encoding="utf-8")
         handler = type("Quiet", (http.server.SimpleHTTPRequestHandler,), {"log_message": lambda *_: None})
@@ -371,8 +312,7 @@ class Web(unittest.TestCase):
 
     def test_the_line_is_lost_said_and_found_again(self):
         port = free_port()
-        more = ("--sacn-port", self.sacn, "--protocols", "sacn")
-        serve = Serve(self.show, port, *more)
+        serve = self.show.serve_desk(port=port)
         page = self.browser.page(serve.address)
         page.until("document.querySelector('canvas').width > 16")
         serve.process.kill()
@@ -382,7 +322,7 @@ class Web(unittest.TestCase):
         self.assertTrue(page.value("document.querySelector('#spoken').textContent.includes('lost')"))
         if PICTURES:
             page.screenshot(PICTURES / "web-lost-laptop.png")
-        again = Serve(self.show, port, *more)  # with another token
+        again = self.show.serve_desk(port=port)  # with another token
         page.until("document.querySelector('.line').textContent.includes('no longer the right one')")
         page.go(again.address)
         page.until("document.querySelector('.line').textContent === 'live'")

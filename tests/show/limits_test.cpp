@@ -62,6 +62,7 @@ TEST(ShowLimits, TablesOfAKind) {
         Row{"[[mover]]\n", 256},
         Row{"[[mover.axis]]\n", 32, "[[mover]]\nkind = \"hoists\"\n"},
         Row{"[[mover.key]]\n", 10'000, "[[mover]]\nkind = \"linear\"\n[[mover.axis]]\nrange_m = [0, 1]\n"},
+        Row{"[[circuit]]\n", 10'000},
         Row{"[[cue]]\n", 10'000},
         Row{"[[palette]]\n", 1000},
         Row{"[[palette.fixture]]\n", 65'536, "[[palette]]\nname = \"P\"\nkind = \"gobo\"\n"},

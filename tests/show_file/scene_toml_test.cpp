@@ -382,5 +382,43 @@ TEST(SceneToml, HowLightBounces) {
     EXPECT_EQ(of_list.messages.size(), 1u) << all_text(of_list);
 }
 
+TEST(CircuitToml, says_what_feeds_fixtures) {
+    Report report;
+    const Show show = parse(kHead + R"([[circuit]]
+name = "A1"
+phase = "L2"
+breaker_a = 16
+voltage_v = 230
+[[circuit]]
+name = "A2"
+phase = "L4"
+breaker_a = -1
+[[circuit]]
+phase = "L1"
+[[circuit]]
+name = "A1"
+[[fixture]]
+name = "Spot"
+gdtf = "a.gdtf"
+address = 1
+position_m = [0, 0, 5]
+circuit = "A11"
+)",
+                            report);
+    ASSERT_EQ(show.circuits.size(), 2u);
+    EXPECT_EQ(show.circuits[0].phase, "L2");
+    EXPECT_EQ(show.circuits[0].breaker_a, 16);
+    EXPECT_EQ(show.circuits[0].voltage_v, 230);
+    EXPECT_EQ(show.circuits[1].phase, "");
+    EXPECT_EQ(show.circuits[1].breaker_a, 0);
+    EXPECT_EQ(show.fixtures.at(0).circuit, "A11");
+    check_circuits(show, report);
+    const std::string said = all_text(report);
+    for (const char* part :
+         {"'L4', expected \"L1\", \"L2\" or \"L3\"", "by which fixtures name it",
+          "is that of another circuit", "no [[circuit]] is called 'A11', which feeds Spot"})
+        EXPECT_NE(said.find(part), std::string::npos) << part << "\n" << said;
+}
+
 } // namespace
 } // namespace ghost::scene

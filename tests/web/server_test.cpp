@@ -159,7 +159,7 @@ TEST_F(WebServer, sixteen_look_on_and_the_seventeenth_does_not) {
 
 TEST_F(WebServer, connections_that_say_nothing_have_a_limit_and_an_end) {
     std::vector<std::unique_ptr<Peer>> idle;
-    for (std::size_t i = 0; i < kMostConnections; ++i) {
+    for (std::size_t i = 0; i < kMostViewers + kMostOthers; ++i) {
         idle.push_back(std::make_unique<Peer>(server->port()));
         idle.back()->send("GET");
     }

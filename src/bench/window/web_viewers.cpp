@@ -3,6 +3,7 @@
 
 #include "base/give_way.h"
 #include "base/steady_time.h"
+#include "net/socket.h"
 
 #include <algorithm>
 #include <bit>
@@ -15,6 +16,7 @@ using namespace std::chrono_literals;
 
 constexpr double kWait_s = 20;
 constexpr std::size_t kPictureHead = 32;
+constexpr double kSlowBurst = 20'000; // bytes
 
 Result<void> send_all(dmx::TcpStream& stream, Bytes bytes) {
     for (const double end_s = steady_now_s() + kWait_s; !bytes.empty();) {
@@ -74,7 +76,7 @@ T little_endian(const std::uint8_t* bytes) {
 } // namespace
 
 Result<std::unique_ptr<WebViewers>> WebViewers::look_on(std::uint16_t port, const std::string& token,
-                                                        int count) {
+                                                        int count, double slow_bytes_per_s) {
     auto viewers = std::make_unique<WebViewers>();
     for (int i = 0; i < count; ++i) {
         One one;
@@ -85,6 +87,7 @@ Result<std::unique_ptr<WebViewers>> WebViewers::look_on(std::uint16_t port, cons
                                                        watch.size()))));
         viewers->all_.push_back(std::move(one));
     }
+    viewers->all_.back().bytes_per_s = slow_bytes_per_s;
     viewers->thread_ = std::thread([all = viewers.get()] { all->run(); });
     return viewers;
 }
@@ -93,27 +96,38 @@ WebViewers::~WebViewers() {
     (void)leave();
 }
 
-std::vector<double> WebViewers::leave() {
+WebViewers::Ages WebViewers::leave() {
     stop_ = true;
     if (thread_.joinable()) thread_.join();
     all_.clear();
-    std::sort(ages_ms_.begin(), ages_ms_.end());
-    return ages_ms_;
+    for (std::vector<double>* ages : {&ages_.of_most_ms, &ages_.of_slow_ms})
+        std::sort(ages->begin(), ages->end());
+    return ages_;
 }
 
 void WebViewers::run() {
     give_way();
-    while (!stop_) {
+    for (double before_s = steady_now_s(); !stop_;) {
         std::vector<dmx::WaitFor> streams;
-        for (const One& one : all_) streams.push_back({one.stream->handle()});
-        dmx::wait_for_streams(streams, 50ms);
-        for (One& one : all_) read(one);
+        for (const One& one : all_)
+            if (one.bytes_per_s <= 0) streams.push_back({one.stream->handle()});
+        dmx::wait_for_streams(streams, streams.size() < all_.size() ? 10ms : 50ms);
+        const double now_s = steady_now_s();
+        for (One& one : all_) {
+            one.may_read = std::min(one.may_read + (now_s - before_s) * one.bytes_per_s, kSlowBurst);
+            read(one);
+        }
+        before_s = now_s;
+        cpu_s_ = std::chrono::duration<double>(dmx::thread_cpu_time()).count();
     }
 }
 
 void WebViewers::read(One& one) {
+    const bool is_slow = one.bytes_per_s > 0;
+    if (is_slow && one.may_read <= 0) return;
     const auto came = one.stream->read();
     if (!came) return;
+    one.may_read -= static_cast<double>(came->size());
     one.in.insert(one.in.end(), came->begin(), came->end());
     while (one.in.size() >= 2) {
         const std::size_t more = one.in[1] < 126 ? 0 : one.in[1] == 126 ? 2 : 8;
@@ -125,7 +139,7 @@ void WebViewers::read(One& one) {
         const std::uint8_t* payload = one.in.data() + 2 + more;
         if ((one.in[0] & 15) == 2 && size >= kPictureHead && payload[0] == 1) {
             const double drawn_ms = std::bit_cast<double>(little_endian<std::uint64_t>(payload + 8));
-            ages_ms_.push_back(1e3 * steady_now_s() - drawn_ms);
+            (is_slow ? ages_.of_slow_ms : ages_.of_most_ms).push_back(1e3 * steady_now_s() - drawn_ms);
             const std::uint8_t painted[] = {1, payload[4], payload[5], payload[6], payload[7]};
             (void)send_all(*one.stream, masked(2, painted));
         }

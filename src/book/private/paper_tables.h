@@ -22,7 +22,10 @@ PaperTable universes_of(const Show& show, const PrintStyle& style);
 PaperTable wheels_of(const Show& show, const PrintStyle& style);
 PaperTable positions_of(const Show& show, const PrintStyle& style);
 PaperTable cables_of(const Show& show, const PrintStyle& style);
-PaperTable phases_of(const Show& show, const PrintStyle& style, double circuit_w);
+PaperTable plugs_of(const Show& show, const PrintStyle& style);
+PaperTable circuits_of(const Show& show, const PrintStyle& style);
+PaperTable phases_of(const Show& show, const PrintStyle& style);
+PaperTable phases_proposed(const Show& show, const PrintStyle& style, double circuit_w);
 
 std::string said_address(const PrintStyle& style, int universe, int channel);
 
@@ -33,6 +36,11 @@ std::string mode_name(const PatchedFixture& fixture);
 std::vector<fixture::Address> addresses_of(const PatchedFixture& fixture);
 // Of a break; 0: not known.
 int footprint_of(const PatchedFixture& fixture, std::size_t part);
+// Of all that it takes; 0: nobody says it.
+double power_w_of(const PatchedFixture& fixture);
+// "Spot 1-8, Wash 3", by index.
+std::string names_of(const Show& show, const PrintStyle& style, const std::vector<std::size_t>& fixtures);
+bool names_circuits(const Show& show); // some fixture says what feeds it
 // Columns in which no row has anything go.
 void drop_empty_columns(PaperTable& table);
 

@@ -7,6 +7,7 @@
 #include "base/steady_time.h"
 #include "book/rests.h"
 #include "cli/render/chosen_cameras.h"
+#include "disk/files.h"
 #include "dmx/record/player.h"
 #include "dmx/record/recording_tasks.h"
 #include "image/ldr.h"
@@ -40,6 +41,7 @@ private:
     explicit BookDrawing(const BookOptions& options) : options_(options) {}
 
     Result<void> plan();
+    Result<std::vector<scene::Mark>> read_marks();
     Result<void> choose_entries();
     Result<std::vector<double>> find_rests();
     Result<BookFrame> choose_frame(const BookFrame* given);
@@ -91,8 +93,24 @@ Result<void> BookDrawing::plan() {
     if (may_find && player_) {
         TRY(found_s, find_rests());
     }
-    TRY(plan_, scene::plan_book(show, looks_, options_.kind, found_s, options_.style));
+    TRY(const std::vector<scene::Mark> marks, read_marks());
+    TRY(plan_, scene::plan_book(show, looks_, options_.kind, found_s, options_.style, marks));
     return choose_entries();
+}
+
+Result<std::vector<scene::Mark>> BookDrawing::read_marks() {
+    if (options_.kind != scene::BookKind::marks) return std::vector<scene::Mark>{};
+    TRY(const std::string text, read_text_file(options_.marks, scene::kMostMarksBytes));
+    const std::size_t printed = session_->report.messages.size();
+    auto marks = scene::read_marks(text, options_.marks, options_.mark_fps, session_->report);
+    print_report(session_->report, printed);
+    const double end_s = player_ ? player_->duration_s() : 0;
+    const auto behind =
+        std::count_if(marks.begin(), marks.end(), [&](const scene::Mark& mark) { return mark.at_s > end_s; });
+    if (player_ && behind > 0)
+        log_warning(options_.marks + ": " + std::to_string(behind) +
+                    " marks lie behind the end of the recording");
+    return marks;
 }
 
 Result<void> BookDrawing::choose_entries() {

@@ -21,6 +21,8 @@ namespace ghost::app {
 struct BookOptions {
     SessionOptions session;
     scene::BookKind kind = scene::BookKind::by_itself;
+    std::string marks;              // file of kind marks
+    double mark_fps = 0;            // of time code in it; 0: nobody says it
     std::vector<std::string> views; // empty: where the cues have put the picture
     scene::PrintStyle style;
     bool from_all = false;         // without views: from all cameras

@@ -5,6 +5,7 @@
 
 #include "base/result.h"
 #include "drawings/drawings.h"
+#include "drawings/file_symbols.h"
 #include "drawings/labels.h"
 #include "drawings/outlines.h"
 #include "drawings/rigging.h"
@@ -33,13 +34,14 @@ struct DrawnSymbol {
     SymbolKind kind = SymbolKind::other;
     SymbolPlace place;
     std::vector<std::vector<glm::dvec2>> bodies; // in a section
+    std::vector<FlatLine> lines;                 // in a plan, where the fixture's file has them
     Extent2 box;
 };
 
 class Drawing {
 public:
     Drawing(PdfWriter& pdf, const Show& show, const Stage& stage, const DrawingOptions& options,
-            const View& view, bool is_plan, const Rigging& rigging);
+            const View& view, bool is_plan, const Rigging& rigging, FileSymbols& file_symbols);
 
     // How many sheets it takes. scale: gets what is asked for, or fits. Error: too many.
     Result<std::size_t> lay_out(int& scale);
@@ -53,6 +55,7 @@ private:
         return {from.x, (frame_.size().y * metre_pt_) - from.y};
     }
     void place_symbols();
+    void take_lines(const RiggedFixture& fixture, DrawnSymbol& symbol);
     void place_bars(Labels& labels);
     void place_labels(Labels& labels);
     std::vector<std::string> words_of(const std::vector<std::size_t>& group) const;
@@ -73,6 +76,7 @@ private:
     View view_;
     bool is_plan_;
     const Rigging& rigging_;
+    FileSymbols& file_symbols_;
     SheetRoom room_;
     std::vector<RiggedFixture> rig_;                           // what is not cut away
     std::vector<std::vector<std::vector<glm::dvec2>>> bodies_; // of the show's fixtures, in a section

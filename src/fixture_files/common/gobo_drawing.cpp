@@ -2,8 +2,7 @@
 #include "fixture_files/common/gobo_drawing.h"
 
 #include "base/text.h"
-#include "fixture/values.h"
-#include "fixture_files/common/svg_path.h"
+#include "fixture_files/common/svg_shapes.h"
 #include "image/polygons.h"
 
 #include <glm/geometric.hpp>
@@ -45,35 +44,6 @@ struct Style {
     std::vector<float> clip; // coverage; empty: all
 };
 
-std::string_view plain_name(const char* name) { // "svg:path" is a path
-    const std::string_view text = name;
-    const std::size_t colon = text.rfind(':');
-    return colon == text.npos ? text : text.substr(colon + 1);
-}
-
-float length_or(std::string_view text, float fallback) {
-    text = trimmed(text);
-    for (const std::string_view unit : {"px", "pt", "mm", "cm", "in", "%"})
-        if (text.ends_with(unit)) text.remove_suffix(unit.size());
-    const std::optional<float> value = parse_float(text);
-    return value && std::abs(*value) <= kMostUnits ? *value : fallback;
-}
-
-std::vector<float> numbers_in(std::string_view text) {
-    std::vector<float> found;
-    while (!text.empty() && found.size() < 16384) {
-        const std::size_t start = text.find_first_not_of(" ,\t\r\n");
-        if (start == text.npos) break;
-        text.remove_prefix(start);
-        const std::size_t end = std::min(text.find_first_of(" ,\t\r\n"), text.size());
-        const std::optional<float> value = parse_float(text.substr(0, end));
-        if (!value || std::abs(*value) > kMostUnits) break;
-        found.push_back(*value);
-        text.remove_prefix(end);
-    }
-    return found;
-}
-
 // "#rgb", "#rrggbb", "rgb(1,2,3)", a few names; other colours are black.
 Paint paint_of(std::string_view text) {
     text = trimmed(text);
@@ -91,7 +61,7 @@ Paint paint_of(std::string_view text) {
             color[static_cast<int>(k)] =
                 static_cast<float>(16 * digit(text[1 + k * step]) + digit(text[k * step + step])) / 255.0f;
     } else if (text.starts_with("rgb(") && text.ends_with(")")) {
-        const std::vector<float> parts = numbers_in(text.substr(4, text.size() - 5));
+        const std::vector<float> parts = svg_numbers(text.substr(4, text.size() - 5));
         for (std::size_t k = 0; k < 3 && parts.size() == 3; ++k)
             color[static_cast<int>(k)] = std::clamp(parts[k] / 255.0f, 0.0f, 1.0f);
     } else {
@@ -106,52 +76,21 @@ Paint paint_of(std::string_view text) {
 }
 
 void set_style(Style& style, std::string_view key, std::string_view value) {
-    const auto share = [&] { return std::clamp(length_or(value, 1.0f), 0.0f, 1.0f); };
+    const auto share = [&] { return std::clamp(svg_length(value, 1.0f), 0.0f, 1.0f); };
     if (key == "fill") style.fill = paint_of(value);
     if (key == "stroke") style.stroke = paint_of(value);
     if (key == "fill-opacity") style.fill_opacity = share();
     if (key == "stroke-opacity") style.stroke_opacity = share();
     if (key == "opacity") style.opacity *= share();
-    if (key == "stroke-width") style.stroke_width = std::max(length_or(value, 1.0f), 0.0f);
+    if (key == "stroke-width") style.stroke_width = std::max(svg_length(value, 1.0f), 0.0f);
     if (key == "fill-rule")
         style.rule = trimmed(value) == "evenodd" ? image::FillRule::even_odd : image::FillRule::nonzero;
-}
-
-// "matrix(a b c d e f) translate(x, y) ...": the last one acts first.
-glm::mat3 transform_of(std::string_view text) {
-    glm::mat3 all(1.0f);
-    for (std::size_t open = text.find('('); open != text.npos; open = text.find('(')) {
-        const std::string_view name = trimmed(text.substr(0, open));
-        const std::size_t close = std::min(text.find(')', open), text.size());
-        const std::vector<float> v = numbers_in(text.substr(open + 1, close - open - 1));
-        glm::mat3 one(1.0f);
-        if (name.ends_with("matrix") && v.size() == 6)
-            one = glm::mat3(v[0], v[1], 0, v[2], v[3], 0, v[4], v[5], 1);
-        else if (name.ends_with("translate") && !v.empty())
-            one[2] = vec3(v[0], v.size() > 1 ? v[1] : 0.0f, 1);
-        else if (name.ends_with("scale") && !v.empty())
-            one = glm::mat3(v[0], 0, 0, 0, v.size() > 1 ? v[1] : v[0], 0, 0, 0, 1);
-        else if (name.ends_with("rotate") && !v.empty()) {
-            const float angle = v[0] * 3.14159265f / 180.0f;
-            const float c = std::cos(angle);
-            const float s = std::sin(angle);
-            const vec2 about = v.size() > 2 ? vec2(v[1], v[2]) : vec2(0.0f);
-            one = glm::mat3(c, s, 0, -s, c, 0, about.x - c * about.x + s * about.y,
-                            about.y - s * about.x - c * about.y, 1);
-        }
-        all = all * one;
-        text.remove_prefix(std::min(close + 1, text.size()));
-    }
-    return all;
 }
 
 class Drawer {
 public:
     explicit Drawer(pugi::xml_node root) : root_(root) {
-        std::vector<float> box = numbers_in(root.attribute("viewBox").value());
-        if (box.size() != 4)
-            box = {0.0f, 0.0f, length_or(root.attribute("width").value(), 100.0f),
-                   length_or(root.attribute("height").value(), 100.0f)};
+        const std::array<float, 4> box = svg_box(root);
         const float side = std::max({box[2], box[3], 1e-3f});
         const float scale = static_cast<float>(kGoboDrawing_px) / side;
         const vec2 corner =
@@ -188,7 +127,7 @@ private:
 
     Style styled(Style style, pugi::xml_node node, const glm::mat3& transform) {
         for (const pugi::xml_attribute attribute : node.attributes())
-            set_style(style, plain_name(attribute.name()), attribute.value());
+            set_style(style, svg_name(attribute.name()), attribute.value());
         std::string_view list = node.attribute("style").value();
         while (!list.empty()) {
             const std::size_t end = std::min(list.find(';'), list.size());
@@ -208,11 +147,11 @@ private:
         if (open == link.npos || close == link.npos || close < open) return;
         const std::string id(trimmed(link.substr(open + 1, close - open - 1)));
         const pugi::xml_node clip = root_.find_node([&](const pugi::xml_node& node) {
-            return plain_name(node.name()) == "clipPath" && id == node.attribute("id").value();
+            return svg_name(node.name()) == "clipPath" && id == node.attribute("id").value();
         });
         std::vector<image::Polygon> polygons;
         for (const pugi::xml_node shape : clip.children())
-            append_polygons(lines_of(shape), transform * transform_of(shape.attribute("transform").value()),
+            append_polygons(lines_of(shape), transform * svg_transform(shape.attribute("transform").value()),
                             polygons);
         if (!clip || ++shapes_ > kMaxShapes) return;
         const std::vector<float> covered =
@@ -224,16 +163,14 @@ private:
     void children(pugi::xml_node parent, const Style& style, const glm::mat3& transform, int depth) {
         for (const pugi::xml_node node : parent.children()) {
             if (node.type() != pugi::node_element) continue;
-            const std::string_view name = plain_name(node.name());
-            const bool is_group = name == "g" || name == "svg" || name == "a";
+            const std::string_view name = svg_name(node.name());
+            const bool is_group = is_svg_group(name);
             if (is_group && depth >= kMaxGroupDepth) {
                 say("groups more than 32 deep in a gobo drawing are not drawn");
                 continue;
             }
-            const bool is_silent = name == "defs" || name == "clipPath" || name == "metadata" ||
-                                   name == "title" || name == "desc" || name == "namedview";
-            if (is_silent) continue;
-            const glm::mat3 here = transform * transform_of(node.attribute("transform").value());
+            if (is_svg_silent(name)) continue;
+            const glm::mat3 here = transform * svg_transform(node.attribute("transform").value());
             if (is_group) {
                 children(node, styled(style, node, here), here, depth + 1);
                 continue;
@@ -244,33 +181,12 @@ private:
     }
 
     std::vector<SvgLine> lines_of(pugi::xml_node node) { // empty: nothing to draw
-        const std::string_view name = plain_name(node.name());
-        const auto number = [&](const char* key, float fallback = 0.0f) {
-            return length_or(node.attribute(key).value(), fallback);
-        };
-        std::vector<SvgLine> lines;
-        if (name == "path") {
-            SvgPath path = read_svg_path(node.attribute("d").value(), kMaxPoints - points_);
-            if (!path.whole)
-                say("a gobo drawing has a faulty or very long path, which is drawn as far as it goes");
-            lines = std::move(path.lines);
-        } else if (name == "circle" || name == "ellipse") {
-            const float rx = number("rx", number("r"));
-            lines.push_back(ellipse_line({number("cx"), number("cy")}, {rx, number("ry", rx)}));
-        } else if (name == "rect") {
-            const vec2 a(number("x"), number("y"));
-            const vec2 b = a + vec2(number("width"), number("height"));
-            lines.push_back({{a, {b.x, a.y}, b, {a.x, b.y}}, true});
-        } else if (name == "line") {
-            lines.push_back({{{number("x1"), number("y1")}, {number("x2"), number("y2")}}, false});
-        } else if (name == "polygon" || name == "polyline") {
-            const std::vector<float> v = numbers_in(node.attribute("points").value());
-            SvgLine line{{}, name == "polygon"};
-            for (std::size_t i = 0; i + 1 < v.size(); i += 2) line.points.push_back({v[i], v[i + 1]});
-            lines.push_back(std::move(line));
-        } else {
-            say("gobo drawings: '" + std::string(name.substr(0, 32)) + "' is not drawn");
-        }
+        SvgShape shape = svg_shape(node, kMaxPoints - points_);
+        if (!shape.is_known)
+            say("gobo drawings: '" + std::string(svg_name(node.name()).substr(0, 32)) + "' is not drawn");
+        if (!shape.is_whole)
+            say("a gobo drawing has a faulty or very long path, which is drawn as far as it goes");
+        std::vector<SvgLine> lines = std::move(shape.lines);
         for (const SvgLine& line : lines) points_ += line.points.size();
         if (points_ > kMaxPoints) {
             points_ = kMaxPoints;
@@ -362,7 +278,7 @@ Result<GoboDrawing> draw_gobo(Bytes svg, const std::string& name) {
     const pugi::xml_parse_result parsed = document.load_buffer(svg.data(), svg.size());
     if (!parsed) return Error{std::string("not well-formed SVG: ") + parsed.description(), name};
     const pugi::xml_node root = document.document_element();
-    if (plain_name(root.name()) != "svg")
+    if (svg_name(root.name()) != "svg")
         return Error{"expected an SVG drawing, found another kind of XML", name};
     return Drawer(root).draw();
 }

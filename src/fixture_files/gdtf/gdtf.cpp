@@ -224,6 +224,7 @@ Result<LoadedType> load_gdtf(Bytes bytes, const std::string& name) {
     read_physical(reader, fixture_type);
     read_wheels(reader, fixture_type);
     read_models(reader, fixture_type);
+    read_symbols(reader, fixture_type);
     read_geometries(reader, fixture_type);
     read_modes(reader, fixture_type);
     give_meaning_by_slots(type);

@@ -2,6 +2,7 @@
 // The geometry tree, and its expansion for one mode.
 #include "fixture_files/gdtf/private/gdtf_reader.h"
 
+#include "base/text.h"
 #include "fixture/decode.h"
 #include "fixture/values.h"
 #include "fixture_files/common/laser_type.h"
@@ -130,6 +131,19 @@ Laser read_laser(GdtfReader& reader, pugi::xml_node node) {
     return laser;
 }
 
+// Plugs that hand power on, and those for data, take none.
+std::optional<PowerInput> read_power_input(GdtfReader& reader, pugi::xml_node node) {
+    PowerInput input{.plug = reader.text(node, "Name"),
+                     .connector = reader.text(node, "ConnectorType"),
+                     .power_w = reader.number(node, "ElectricalPayLoad", 0.0f, 0.0f, 1e6f),
+                     .power_factor = reader.number(node, "CosPhi", 0.0f, 0.0f, 1.0f),
+                     .voltage_low_v = reader.number(node, "VoltageRangeMin", 0.0f, 0.0f, 1e5f),
+                     .voltage_high_v = reader.number(node, "VoltageRangeMax", 0.0f, 0.0f, 1e5f)};
+    const bool takes = lower(reader.text(node, "ComponentType")) == "consumer" &&
+                       lower(reader.text(node, "SignalType")) == "power" && input.power_w > 0;
+    return takes ? std::optional(std::move(input)) : std::nullopt;
+}
+
 // A matrix that turns the fixture into a plane, or throws it out of the world, would spoil everything under
 // it.
 bool is_usable(const glm::mat4& matrix) {
@@ -186,6 +200,7 @@ void read_tree(GdtfReader& reader, pugi::xml_node parent_node, int parent, int d
             geometry.laser = read_laser(reader, node);
             geometry.beam = beam_of(*geometry.laser);
         }
+        if (geometry.kind == GeometryKind::wiring) geometry.power_input = read_power_input(reader, node);
         if (geometry.kind == GeometryKind::display) {
             if (const std::string file = reader.text(node, "Texture"); !file.empty()) {
                 geometry.texture = reader.archive.find(file);

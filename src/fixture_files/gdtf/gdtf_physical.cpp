@@ -6,6 +6,7 @@
 #include "base/text.h"
 #include "fixture/colour_spectrum.h"
 #include "fixture/curves.h"
+#include "fixture/power.h"
 #include "fixture/values.h"
 
 #include <algorithm>
@@ -17,6 +18,7 @@ constexpr std::size_t kMaxNamed = 4096;         // of each kind
 constexpr std::size_t kMaxMeasurements = 256;   // per emitter or filter
 constexpr std::size_t kMaxSpectrum = 4096;      // points of one measurement
 constexpr std::size_t kMaxProfilePoints = 4096; // per profile
+constexpr std::size_t kMostPowerInputs = 256;
 
 Measurement read_measurement(GdtfReader& reader, pugi::xml_node node) {
     Measurement measurement;
@@ -184,8 +186,22 @@ void read_properties(GdtfReader& reader, pugi::xml_node physical) {
         reader.number(child("OperatingTemperature"), "Low", 0.0f, -273.0f, 1000.0f);
     properties.temperature_high_c =
         reader.number(child("OperatingTemperature"), "High", 40.0f, -273.0f, 1000.0f);
-    for (const pugi::xml_node power : node.children("PowerConsumption"))
-        properties.power_w += reader.number(power, "Value", 0.0f, 0.0f, 1e6f);
+    for (const pugi::xml_node power : node.children("PowerConsumption")) {
+        if (reader.is_full(power, properties.power_inputs.size(), kMostPowerInputs, "power consumptions"))
+            break;
+        const std::string plug = reader.text(power, "Connector");
+        const auto& connectors = reader.type().connectors;
+        const auto connector = std::find_if(connectors.begin(), connectors.end(),
+                                            [&](const Connector& one) { return one.name == plug; });
+        add_power_input(properties.power_inputs,
+                        {.plug = plug,
+                         .connector = connector == connectors.end() ? "" : connector->type,
+                         .power_w = reader.number(power, "Value", 0.0f, 0.0f, 1e6f),
+                         .power_factor = reader.number(power, "PowerFactor", 0.0f, 0.0f, 1.0f),
+                         .voltage_low_v = reader.number(power, "VoltageLow", 0.0f, 0.0f, 1e5f),
+                         .voltage_high_v = reader.number(power, "VoltageHigh", 0.0f, 0.0f, 1e5f)});
+    }
+    properties.power_w = power_w_of(properties.power_inputs);
 }
 
 // Every child of a list, into a list of the Type; names, where wanted, are for links.

@@ -67,10 +67,12 @@ constexpr Known kKnown[] = {
     {"OperatingTemperature", "Low High", ""},
     {"Weight", "Value", ""},
     {"LegHeight", "Value", ""},
-    {"PowerConsumption", "Value", "PowerFactor Connector VoltageLow VoltageHigh FrequencyLow FrequencyHigh"},
+    {"PowerConsumption", "Value PowerFactor Connector VoltageLow VoltageHigh", "FrequencyLow FrequencyHigh"},
     {"Models", "", ""},
-    {"Model", "Name Length Width Height PrimitiveType File",
-     "SVGOffsetX SVGOffsetY SVGSideOffsetX SVGSideOffsetY SVGFrontOffsetX SVGFrontOffsetY"},
+    {"Model",
+     "Name Length Width Height PrimitiveType File SVGOffsetX SVGOffsetY SVGSideOffsetX SVGSideOffsetY "
+     "SVGFrontOffsetX SVGFrontOffsetY",
+     ""},
     {"Geometries", "", ""},
     {"Geometry", POSITION, ""},
     {"Axis", POSITION, ""},
@@ -93,9 +95,10 @@ constexpr Known kKnown[] = {
     {"Protocol", "Name", ""},
     {"GeometryReference", POSITION " Geometry", ""},
     {"Break", "DMXOffset DMXBreak", ""},
-    {"WiringObject", POSITION,
-     "ConnectorType ComponentType SignalType PinCount ElectricalPayLoad VoltageRangeMax VoltageRangeMin "
-     "FrequencyRangeMax FrequencyRangeMin MaxPayLoad Voltage SignalLayer CosPhi FuseCurrent FuseRating "
+    {"WiringObject",
+     POSITION " ConnectorType ComponentType SignalType ElectricalPayLoad VoltageRangeMax VoltageRangeMin "
+              "CosPhi",
+     "PinCount FrequencyRangeMax FrequencyRangeMin MaxPayLoad Voltage SignalLayer FuseCurrent FuseRating "
      "Orientation WireGroup"},
     {"PinPatch", "", "ToWiringObject FromPin ToPin"},
     {"Inventory", POSITION, "Count Geometry"},

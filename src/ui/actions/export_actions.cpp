@@ -95,6 +95,12 @@ void add_export_actions(Actions& actions, AppModel& app, Exporter& exporter) {
         TRY_VOID(exporter.sheet(words.value(0), size.width(), size.height()));
         return {};
     });
+    for (const QString command : {"paper", "book"})
+        add("export-" + command, "FOLDER [OPTIONS of ghostlight " + command + "]",
+            [&exporter, command](const QStringList& words) -> Result<void> {
+                TRY_VOID(exporter.print(command, words.value(0), words.mid(1)));
+                return {};
+            });
     actions.add({"cancel-jobs",
                  "Show",
                  "Cancel what runs in the background",

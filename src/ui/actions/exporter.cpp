@@ -171,4 +171,14 @@ Result<int> Exporter::sheet(const QString& file, int width, int height) {
     return app_.jobs().start("Contact sheet " + QFileInfo(file).fileName(), words);
 }
 
+Result<int> Exporter::print(const QString& command, const QString& folder, const QStringList& options) {
+    if (folder.isEmpty()) return Error{"it needs the name of a folder", ""};
+    const QString absolute = QFileInfo(folder).absoluteFilePath();
+    if (!QFileInfo(absolute).absoluteDir().exists())
+        return Error{"no such folder", QFileInfo(absolute).absolutePath().toStdString()};
+    TRY(const QString show, show_file());
+    const QString title = (command == "book" ? "Cue book " : "Paperwork ") + QFileInfo(absolute).fileName();
+    return app_.jobs().start(title, QStringList{command, show, "-o", absolute} + options);
+}
+
 } // namespace ghost::ui

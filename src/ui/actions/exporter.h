@@ -1,9 +1,10 @@
 #pragma once
 // SPDX-License-Identifier: Apache-2.0
-// Exporter: bakes, stills, films and contact sheets as jobs (ui/model/jobs.h): what the commands bake, render
-// and sheet do, with the arguments that the window's camera, exposure and hand-made look ask for. They read
-// the show from its file, so it must be saved. With a farm the job follows what the farm does, and the farm
-// goes on where the job is cancelled. Errors: why a job cannot begin. Window thread.
+// Exporter: bakes, stills, films, contact sheets, paperwork and cue books as jobs (ui/model/jobs.h): what the
+// commands bake, render, sheet, paper and book do, with the arguments that the window's camera, exposure and
+// hand-made look ask for. They read the show from its file, so it must be saved. With a farm the job follows
+// what the farm does, and the farm goes on where the job is cancelled. Errors: why a job cannot begin. Window
+// thread.
 
 #include "base/result.h"
 #include "ui/model/app_model.h"
@@ -43,6 +44,8 @@ public:
     Result<int> bake(const BakeWish& wish);
     Result<int> render(const PictureWish& wish);
     Result<int> sheet(const QString& file, int width, int height);
+    // command: "paper" or "book", with its own options.
+    Result<int> print(const QString& command, const QString& folder, const QStringList& options);
 
 private:
     Result<QString> show_file() const;

@@ -14,7 +14,7 @@ namespace {
 constexpr std::pair<const char*, const char*> kMenus[] = {
     {"Show", "new open @recent import-plot open-demo - save save-as save-copy reload - panel-plot plot-text "
              "save-picture screenshot "
-             "panel-export cancel-jobs - take-plot - quit"},
+             "panel-export paperwork cue-book cancel-jobs - take-plot - quit"},
     {"Edit",
      "undo redo - select-all select-none select-similar find - hold release release-all - add-fixture "
      "duplicate remove unpatch hang aim-through - distribute align-x align-y align-z nudge-left nudge-right "

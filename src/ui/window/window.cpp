@@ -23,6 +23,7 @@
 #include "ui/panels/message_panel.h"
 #include "ui/panels/network_panel.h"
 #include "ui/panels/plot_panel.h"
+#include "ui/panels/print_dialog.h"
 #include "ui/panels/programmer_panel.h"
 #include "ui/panels/scene_panel.h"
 #include "ui/panels/transport_panel.h"
@@ -92,6 +93,7 @@ Window::Window(Link& link, const WindowOptions& options)
     add_fan_actions(actions_, app_);
     add_palette_actions(actions_, palettes_);
     add_export_actions(actions_, app_, exporter_);
+    add_print_actions(actions_, app_, *this);
     add_patch_actions(actions_, app_, document_);
     add_hang_action(actions_, app_, document_);
     auto* aiming = new Aiming(app_, actions_, this);

@@ -5,6 +5,7 @@
 #include "fixture/attribute.h"
 #include "fixture/curves.h"
 #include "fixture/decode.h"
+#include "fixture/power.h"
 
 #include <algorithm>
 
@@ -127,7 +128,8 @@ TEST(whole_gdtf, colour_spaces_gamuts_profiles_rendering_connectors_properties) 
 <CRIs><CRIGroup ColorTemperature="3200"><CRI CES="CES07" ColorRenderingIndex="85"/><CRI CES="7"/></CRIGroup></CRIs>
 <Connectors><Connector Name="In" Type="XLR5" DMXBreak="1" Gender="-1" Length="0.5"/></Connectors>
 <Properties><OperatingTemperature Low="-10" High="45"/><Weight Value="22.7"/><LegHeight Value="0.02"/>
-<PowerConsumption Value="900" Connector="Power" VoltageLow="230"/></Properties>)";
+<PowerConsumption Value="900" Connector="In" PowerFactor="0.9" VoltageLow="100" VoltageHigh="120" FrequencyLow="50"/>
+<PowerConsumption Value="850" Connector="In" VoltageLow="200" VoltageHigh="240"/></Properties>)";
     description.channels =
         channel_of("Dimmer", R"(<ChannelFunction Attribute="Dimmer" ColorSpace="mine" Gamut="G"
 DMXProfile="S" Min="10" Max="20" CustomName="osc" OriginalAttribute="Intensity"/>
@@ -162,8 +164,11 @@ DMXProfile="S" Min="10" Max="20" CustomName="osc" OriginalAttribute="Intensity"/
     EXPECT_EQ(type.properties.leg_height_m, 0.02f);
     EXPECT_EQ(type.properties.power_w, 900.0f);
     EXPECT_EQ(type.properties.temperature_low_c, -10.0f);
+    ASSERT_EQ(type.properties.power_inputs.size(), 1u) << "the other one is for another mains";
+    EXPECT_EQ(type.properties.power_inputs[0].connector, "XLR5");
+    EXPECT_EQ(type.properties.power_inputs[0].power_factor, 0.9f);
     EXPECT_TRUE(
-        says(file, {"not used, as neither picture nor motion needs it: 2 values of PowerConsumption"}));
+        says(file, {"not used, as neither picture nor motion needs it: 1 values of PowerConsumption"}));
     const ChannelFunction& function = type.modes.at(0).channels.at(0).functions.at(0);
     EXPECT_EQ(function.color_space, 0);
     EXPECT_EQ(function.gamut, 0);
@@ -174,6 +179,30 @@ DMXProfile="S" Min="10" Max="20" CustomName="osc" OriginalAttribute="Intensity"/
     EXPECT_FLOAT_EQ(physical_at(type, function, 199), 20.0f);
     EXPECT_EQ(type.modes[0].channels[0].functions[1].color_space, -1) << "the fixture's own";
     EXPECT_EQ(file.messages.size(), 5u);
+}
+
+TEST(whole_gdtf, wiring_says_what_a_mode_takes) {
+    Description description;
+    description.physical = R"(<Properties><PowerConsumption Value="500"/></Properties>)";
+    const std::string plug = R"(<WiringObject SignalType="Power" ConnectorType="NAC3FCA" CosPhi="0.95" )";
+    description.geometries =
+        R"(<Geometry Name="Base"><Beam Name="Beam"/>)" + plug +
+        R"(Name="Power IN" ComponentType="Consumer" ElectricalPayLoad="1225" VoltageRangeMin="120" VoltageRangeMax="240"/>)" +
+        plug + R"(Name="Power THRU" ComponentType="Output" ElectricalPayLoad="2000"/>
+<WiringObject Name="DMX" SignalType="DMX512" ComponentType="Consumer" ElectricalPayLoad="3"/></Geometry>
+<Geometry Name="Other">)" +
+        plug + R"(Name="Power IN" ComponentType="Consumer" ElectricalPayLoad="77"/></Geometry>)";
+    const LoadedType file = loaded(description);
+    const auto inputs = power_inputs_of(file.type, file.type.modes.at(0));
+    ASSERT_EQ(inputs.size(), 1u) << "of the mode's own tree";
+    EXPECT_EQ(inputs[0].plug, "Power IN");
+    EXPECT_EQ(inputs[0].connector, "NAC3FCA");
+    EXPECT_EQ(inputs[0].power_factor, 0.95f);
+    EXPECT_EQ(inputs[0].voltage_high_v, 240.0f);
+    EXPECT_EQ(power_w_of(file.type, file.type.modes[0]), 1225.0f);
+    description.geometries = Description{}.geometries;
+    const LoadedType plain = loaded(description);
+    EXPECT_EQ(power_w_of(plain.type, plain.type.modes.at(0)), 500.0f) << "of the file's Properties";
 }
 
 TEST(whole_gdtf, old_files_have_properties_directly_under_physical_descriptions) {

@@ -17,6 +17,32 @@ needs.packages("chromium")
 LONG_S = 120  # for what a busy machine may take
 
 
+# Every text that is seen, and what it stands on: WCAG's contrast; below 4.5, or 3 where it is large.
+LOW_CONTRAST = """(() => {
+  const channels = text => (text.match(/[0-9.]+/g) ?? []).map(Number);
+  const light = ([r, g, b]) => [r, g, b].map(c => c / 255).map(c => c <= 0.04045 ? c / 12.92 : ((c + 0.055) / 1.055) ** 2.4)
+      .reduce((sum, c, k) => sum + c * [0.2126, 0.7152, 0.0722][k], 0);
+  const over = (top, under) => { const a = top[3] ?? 1; return [0, 1, 2].map(k => top[k] * a + under[k] * (1 - a)); };
+  const ground = one => {
+    if (!one) return [255, 255, 255];
+    const own = channels(getComputedStyle(one).backgroundColor);
+    return (own[3] ?? 1) >= 1 ? own : over(own, ground(one.parentElement));
+  };
+  const found = [];
+  for (const one of document.querySelectorAll('body *')) {
+    const text = [...one.childNodes].filter(node => node.nodeType === 3).map(node => node.textContent.trim()).join('');
+    if (!text || !one.checkVisibility({checkVisibilityCSS: true}) || one.closest('.spoken') || one.disabled) continue;
+    const style = getComputedStyle(one), under = ground(one);
+    const [a, b] = [light(over(channels(style.color), under)), light(under)];
+    const ratio = (Math.max(a, b) + 0.05) / (Math.min(a, b) + 0.05);
+    const size = parseFloat(style.fontSize), isLarge = size >= 24 || (size >= 18.66 && Number(style.fontWeight) >= 700);
+    let shows = 1;
+    for (let up = one; up; up = up.parentElement) shows *= Number(getComputedStyle(up).opacity);
+    if (ratio < (isLarge ? 3 : 4.5) || shows < 1) found.push(`${text.slice(0, 30)}: ${ratio.toFixed(2)}, opacity ${shows}`);
+  }
+  return found; })()"""
+
+
 class Browser:
     """arguments: more of Chromium's own."""
 
@@ -150,6 +176,15 @@ class Page:
             elif what == "Log.entryAdded" and with_["entry"]["level"] in ("error", "warning"):
                 said.append(f"{with_['entry']['text']} {with_['entry'].get('url', '')}")
         return said
+
+    def not_reached_by_tab(self):
+        """Controls that are seen and that the Tab key never comes to."""
+        self.value("""document.activeElement.blur(); window.asked = [...document.querySelectorAll('a[href], button, input, select, summary, [tabindex="0"]')]
+            .filter(one => one.checkVisibility({checkVisibilityCSS: true}) && !one.disabled); window.reached = new Set(); null""")
+        for _ in range(self.value("asked.length") + 3):
+            self.key("Tab")
+            self.value("reached.add(document.activeElement); null")
+        return self.value("asked.filter(one => !reached.has(one)).map(one => one.outerHTML.slice(0, 120))")
 
     def nameless(self):
         """Controls that the accessibility tree has no name for."""

@@ -51,6 +51,7 @@ def main(work):
         (alone / "looks.toml", b"", 16 * MIB, [*drawn, "--looks", alone / "looks.toml", "--look", "A"]),
         (kept / "distances/64/stage.json", b"{", 256 * MIB, drawn),
         (kept / "farm/0123456789ab/plan.json", b"{", 16 * MIB, ["farm", "status", show]),
+        (alone / "marks.json", b"[", 8 * MIB, ["book", show, "-o", work / "new", "--marks", alone / "marks.json"]),
         (book / "book.json", b"{", 256 * MIB, ["book", show, "-o", work / "new", "--against", book]),
     ]
     for path, begin, most, words in rows:

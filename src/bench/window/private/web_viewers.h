@@ -17,24 +17,31 @@ namespace ghost::app {
 
 class WebViewers {
 public:
-    // All are in when it returns.
+    // All are in when it returns. slow_bytes_per_s: so much the last of them reads; 0: it is like the others.
     static Result<std::unique_ptr<WebViewers>> look_on(std::uint16_t port, const std::string& token,
-                                                       int count);
+                                                       int count, double slow_bytes_per_s = 0);
     ~WebViewers();
 
-    // Ends them. Milliseconds of each picture, from drawn to its last byte, sorted.
-    std::vector<double> leave();
+    double cpu_s() const { return cpu_s_; } // that their thread has used
+    // Milliseconds of each picture, from drawn to its last byte, sorted.
+    struct Ages {
+        std::vector<double> of_most_ms, of_slow_ms;
+    };
+    Ages leave(); // ends them
 
 private:
     struct One {
         std::unique_ptr<dmx::TcpStream> stream;
         std::vector<std::uint8_t> in;
+        double bytes_per_s = 0; // 0: all that comes
+        double may_read = 0;    // bytes
     };
     void run();
     void read(One& one);
 
     std::vector<One> all_;
-    std::vector<double> ages_ms_;
+    Ages ages_;
+    std::atomic<double> cpu_s_{0};
     std::atomic<bool> stop_{false};
     std::thread thread_;
 };

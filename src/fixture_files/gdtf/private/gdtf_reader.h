@@ -67,6 +67,7 @@ void read_attributes(GdtfReader& reader, pugi::xml_node fixture_type); // Attrib
 void read_physical(GdtfReader& reader, pugi::xml_node fixture_type);   // PhysicalDescriptions
 void read_wheels(GdtfReader& reader, pugi::xml_node fixture_type);
 void read_models(GdtfReader& reader, pugi::xml_node fixture_type);
+void read_symbols(GdtfReader& reader, pugi::xml_node fixture_type); // of the models
 void read_geometries(GdtfReader& reader, pugi::xml_node fixture_type);
 void read_modes(GdtfReader& reader, pugi::xml_node fixture_type);
 void say_unused(GdtfReader& reader, pugi::xml_node root); // what none of the others reads

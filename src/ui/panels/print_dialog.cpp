@@ -1,0 +1,340 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/panels/print_dialog.h"
+
+#include "show/show.h"
+
+#include <QDesktopServices>
+#include <QDir>
+#include <QFile>
+#include <QFileDialog>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QImageReader>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QUrl>
+#include <QVBoxLayout>
+
+#include <algorithm>
+
+namespace ghost::ui {
+namespace {
+
+// Of a preview: the whole of it is in the folder.
+constexpr qint64 kMostTableBytes = 256 * 1024, kMostBookBytes = 4 * 1024 * 1024;
+constexpr int kMostRows = 200, kMostPictures = 24;
+constexpr QSize kPicture(240, 135);
+
+QComboBox* choice(const QString& name, std::initializer_list<std::pair<const char*, const char*>> words,
+                  QWidget* parent) {
+    auto* box = new QComboBox(parent);
+    for (const auto& [text, option] : words) box->addItem(text, option);
+    box->setAccessibleName(name);
+    return box;
+}
+
+// RFC 4180.
+std::vector<QStringList> rows_of(const QString& csv) {
+    std::vector<QStringList> rows(1);
+    QString cell;
+    bool is_quoted = false;
+    for (qsizetype k = 0; k < csv.size() && rows.size() <= kMostRows + 1; ++k) {
+        const QChar letter = csv[k];
+        if (letter == '"' && is_quoted && k + 1 < csv.size() && csv[k + 1] == '"') {
+            cell += letter;
+            ++k;
+        } else if (letter == '"') {
+            is_quoted = !is_quoted;
+        } else if (!is_quoted && letter == ',') {
+            rows.back() << cell;
+            cell.clear();
+        } else if (!is_quoted && letter == '\n') {
+            rows.back() << cell;
+            cell.clear();
+            rows.emplace_back();
+        } else if (letter != '\r') {
+            cell += letter;
+        }
+    }
+    rows.pop_back(); // what is cut
+    return rows;
+}
+
+QByteArray beginning_of(const QString& path, qint64 most) {
+    QFile file(path);
+    return file.open(QIODevice::ReadOnly) ? file.read(most) : QByteArray();
+}
+
+} // namespace
+
+void add_print_actions(Actions& actions, AppModel& app, QWidget& window) {
+    const auto add = [&](const char* name, const char* text, PrintDialog::What what) {
+        actions.add({name,
+                     "Show",
+                     text,
+                     "",
+                     "",
+                     [&actions, &app, &window, what, name](const QStringList&) -> Result<void> {
+                         if (!app.show()) return Error{"no show is open", ""};
+                         auto* dialog = window.findChild<PrintDialog*>(name);
+                         if (!dialog) {
+                             dialog = new PrintDialog(what, app, actions, &window);
+                             dialog->setObjectName(name);
+                         }
+                         dialog->show();
+                         dialog->raise();
+                         return {};
+                     },
+                     {}});
+    };
+    add("paperwork", "Paperwork...", PrintDialog::What::paper);
+    add("cue-book", "Cue book...", PrintDialog::What::book);
+}
+
+PrintDialog::PrintDialog(What what, AppModel& app, Actions& actions, QWidget* parent)
+    : QDialog(parent), what_(what), app_(app), actions_(actions) {
+    setWindowTitle(what == What::paper ? "Paperwork" : "Cue book");
+    auto* form = new QFormLayout;
+    folder_ = new QLineEdit(this);
+    folder_->setAccessibleName("Folder to make");
+    auto* choose = new QPushButton("Choose...", this);
+    choose->setAccessibleName("Choose the folder");
+    connect(choose, &QPushButton::clicked, this, [this] {
+        const QString chosen = QFileDialog::getSaveFileName(this, "A folder to make", folder_->text(), "",
+                                                            nullptr, QFileDialog::ShowDirsOnly);
+        if (!chosen.isEmpty()) folder_->setText(chosen);
+    });
+    auto* place = new QHBoxLayout;
+    place->addWidget(folder_, 1);
+    place->addWidget(choose);
+    form->addRow("Folder", place);
+    pdf_ = new QCheckBox(what == What::paper ? "All tables as PDF" : "As PDF", this);
+    page_ = choice("Page", {{"A4", "A4"}, {"Letter", "Letter"}}, this);
+    what == What::paper ? add_paper_choices(*form) : add_book_choices(*form);
+    form->addRow("Page", page_);
+    form->addRow(pdf_);
+
+    said_ = new QLabel(this);
+    said_->setWordWrap(true);
+    said_->setTextFormat(Qt::PlainText);
+    bar_ = new QProgressBar(this);
+    bar_->setRange(0, 1000);
+    bar_->setTextVisible(false);
+    bar_->setAccessibleName("Progress");
+    make_ = new QPushButton("Make", this);
+    make_->setDefault(true);
+    cancel_ = new QPushButton("Cancel", this);
+    open_ = new QPushButton("Open in the browser", this);
+    connect(make_, &QPushButton::clicked, this, &PrintDialog::make);
+    connect(cancel_, &QPushButton::clicked, this, [this] { app_.jobs().cancel(job_); });
+    connect(open_, &QPushButton::clicked, this,
+            [this] { QDesktopServices::openUrl(QUrl::fromLocalFile(QDir(made_).filePath("index.html"))); });
+    auto* buttons = new QHBoxLayout;
+    for (QPushButton* button : {make_, cancel_, open_}) buttons->addWidget(button);
+    auto* left = new QVBoxLayout;
+    left->addLayout(form);
+    left->addStretch(1);
+    left->addWidget(said_);
+    left->addWidget(bar_);
+    left->addLayout(buttons);
+    auto* whole = new QHBoxLayout(this);
+    whole->addLayout(left);
+    whole->addWidget(make_preview(), 1);
+    resize(1020, 560);
+    connect(&app_, &AppModel::opened_show, this, &PrintDialog::name_show);
+    connect(&app_.jobs(), &Jobs::changed, this, &PrintDialog::follow);
+    name_show();
+    follow();
+}
+
+void PrintDialog::add_paper_choices(QFormLayout& form) {
+    plan_ = new QCheckBox("Plan and section", this);
+    focus_ = new QCheckBox("Focus charts", this);
+    scale_ = choice("Scale",
+                    {{"Largest that fits", "fit"},
+                     {"1:25", "1:25"},
+                     {"1:50", "1:50"},
+                     {"1:100", "1:100"},
+                     {"1:200", "1:200"}},
+                    this);
+    sheet_ = choice("Sheet of the plan",
+                    {{"As the page asks", ""},
+                     {"A4", "A4"},
+                     {"A3", "A3"},
+                     {"A2", "A2"},
+                     {"A1", "A1"},
+                     {"Letter", "Letter"},
+                     {"Tabloid", "Tabloid"},
+                     {"Arch D", "ArchD"}},
+                    this);
+    language_ = choice("Language", {{"English", "en"}, {"Deutsch", "de"}}, this);
+    units_ = choice("Units", {{"Metres, kilograms", "metric"}, {"Feet, pounds", "imperial"}}, this);
+    for (QComboBox* of_plan : {scale_, sheet_}) {
+        of_plan->setEnabled(false);
+        connect(plan_, &QCheckBox::toggled, of_plan, &QWidget::setEnabled);
+    }
+    form.addRow(plan_);
+    form.addRow("Scale", scale_);
+    form.addRow("Sheet", sheet_);
+    form.addRow(focus_);
+    form.addRow("Language", language_);
+    form.addRow("Units", units_);
+}
+
+void PrintDialog::add_book_choices(QFormLayout& form) {
+    entries_ = choice("Entries",
+                      {{"Cues, else looks", ""},
+                       {"Cues", "--cues"},
+                       {"Looks", "--looks"},
+                       {"Where the recording rests", "--find"}},
+                      this);
+    camera_ = choice("Camera", {}, this);
+    size_ = choice("Size of pictures",
+                   {{"640x360", "640x360"}, {"480x270", "480x270"}, {"1280x720", "1280x720"}}, this);
+    against_ = new QLineEdit(this);
+    against_->setAccessibleName("An older show, plot or book to compare with");
+    against_->setPlaceholderText("an older show, plot or book");
+    form.addRow("Entries", entries_);
+    form.addRow("Camera", camera_);
+    form.addRow("Pictures", size_);
+    form.addRow("Compare with", against_);
+}
+
+QWidget* PrintDialog::make_preview() {
+    auto* preview = new QWidget(this);
+    auto* layout = new QVBoxLayout(preview);
+    layout->setContentsMargins(0, 0, 0, 0);
+    if (what_ == What::book) {
+        pictures_ = new QListWidget(preview);
+        pictures_->setAccessibleName("Pictures of the book");
+        pictures_->setViewMode(QListView::IconMode);
+        pictures_->setIconSize(kPicture);
+        pictures_->setMovement(QListView::Static);
+        pictures_->setResizeMode(QListView::Adjust);
+        pictures_->setSpacing(6);
+        layout->addWidget(pictures_);
+        return preview;
+    }
+    tables_ = new QComboBox(preview);
+    tables_->setAccessibleName("Table to look at");
+    table_ = new QTableWidget(preview);
+    table_->setAccessibleName("Preview of the table");
+    table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
+    table_->verticalHeader()->hide();
+    layout->addWidget(tables_);
+    layout->addWidget(table_, 1);
+    connect(tables_, &QComboBox::currentIndexChanged, this, &PrintDialog::show_table);
+    return preview;
+}
+
+void PrintDialog::name_show() {
+    if (!app_.show()) return;
+    const QString folder = QString::fromStdString(std::filesystem::absolute(app_.show()->folder).string());
+    folder_->setText(QDir(folder).filePath(what_ == What::paper ? "paper" : "book"));
+    if (!camera_) return;
+    camera_->clear();
+    camera_->addItem("The first camera", "");
+    for (const scene::Camera& camera : app_.show()->cameras) {
+        const QString name = QString::fromStdString(camera.name);
+        camera_->addItem(name, name);
+    }
+}
+
+QString PrintDialog::options() const {
+    QString words;
+    const auto add = [&](const char* option, const QString& value) {
+        if (!value.isEmpty()) words += QString(" %1 %2").arg(option, quoted(value));
+    };
+    add("--paper", page_->currentData().toString());
+    if (pdf_->isChecked()) words += " --pdf";
+    if (what_ == What::book) {
+        words += " " + entries_->currentData().toString();
+        add("--view", camera_->currentData().toString());
+        add("--size", size_->currentData().toString());
+        add("--against", against_->text());
+        return words.simplified();
+    }
+    add("--language", language_->currentData().toString());
+    add("--units", units_->currentData().toString());
+    if (focus_->isChecked()) words += " --focus";
+    if (!plan_->isChecked()) return words.simplified();
+    words += " --plan";
+    add("--scale", scale_->currentData().toString());
+    add("--sheet", sheet_->currentData().toString());
+    return words.simplified();
+}
+
+void PrintDialog::make() {
+    const QString command = what_ == What::paper ? "export-paper " : "export-book ";
+    const Result<void> begun = actions_.run(command + quoted(folder_->text()) + " " + options());
+    if (!begun.ok()) {
+        said_->setText(QString::fromStdString(begun.error().text()));
+        return;
+    }
+    made_ = folder_->text();
+    job_ = app_.jobs().all().back().number;
+    is_shown_ = false;
+    follow();
+}
+
+void PrintDialog::follow() {
+    const auto& jobs = app_.jobs().all();
+    const auto job =
+        std::find_if(jobs.begin(), jobs.end(), [this](const Job& one) { return one.number == job_; });
+    const bool runs = job != jobs.end() && !job->is_over();
+    const bool is_done = job != jobs.end() && job->state == Job::State::done;
+    make_->setEnabled(!runs);
+    cancel_->setEnabled(runs && !job->is_given_up);
+    bar_->setVisible(runs);
+    open_->setEnabled(is_done);
+    if (job == jobs.end()) return;
+    bar_->setValue(static_cast<int>(1000 * job->share));
+    QString words = job->is_given_up && runs ? QString("stopping") : state_name(job->state);
+    if (runs && !job->doing.isEmpty()) words += ": " + job->doing;
+    if (runs && !job->left.isEmpty()) words += ", " + job->left + " left";
+    if (job->state == Job::State::failed) words += ": " + job->last_said;
+    said_->setText(words);
+    if (is_done && !is_shown_) show_result();
+}
+
+void PrintDialog::show_result() {
+    is_shown_ = true;
+    if (what_ == What::book) return show_pictures();
+    const QString before = tables_->currentText();
+    tables_->clear();
+    for (const QFileInfo& file : QDir(made_).entryInfoList({"*.csv"}, QDir::Files, QDir::Name))
+        tables_->addItem(file.completeBaseName(), file.absoluteFilePath());
+    tables_->setCurrentText(before.isEmpty() ? "instruments" : before);
+}
+
+void PrintDialog::show_table() {
+    const QByteArray bytes = beginning_of(tables_->currentData().toString(), kMostTableBytes);
+    const std::vector<QStringList> rows = rows_of(QString::fromUtf8(bytes).remove(QChar(0xFEFF)));
+    table_->clear();
+    if (rows.empty()) return;
+    table_->setColumnCount(static_cast<int>(rows.front().size()));
+    table_->setRowCount(static_cast<int>(rows.size()) - 1);
+    table_->setHorizontalHeaderLabels(rows.front());
+    for (std::size_t row = 1; row < rows.size(); ++row)
+        for (qsizetype column = 0; column < rows[row].size(); ++column)
+            table_->setItem(static_cast<int>(row) - 1, static_cast<int>(column),
+                            new QTableWidgetItem(rows[row][column]));
+    table_->resizeColumnsToContents();
+}
+
+void PrintDialog::show_pictures() {
+    pictures_->clear();
+    const QByteArray bytes = beginning_of(QDir(made_).filePath("book.json"), kMostBookBytes);
+    const QJsonArray entries = QJsonDocument::fromJson(bytes).object()["entries"].toArray();
+    for (const QJsonValue& entry : entries) {
+        if (pictures_->count() == kMostPictures) break;
+        const QString file = entry["pictures"].toArray().first().toObject()["file"].toString();
+        QImageReader reader(QDir(made_).filePath(file));
+        reader.setScaledSize(reader.size().scaled(kPicture, Qt::KeepAspectRatio));
+        pictures_->addItem(
+            new QListWidgetItem(QIcon(QPixmap::fromImage(reader.read())), entry["name"].toString()));
+    }
+}
+
+} // namespace ghost::ui

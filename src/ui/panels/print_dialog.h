@@ -1,0 +1,63 @@
+#pragma once
+// SPDX-License-Identifier: Apache-2.0
+// PrintDialog: paperwork or a cue book as a job in the background: what of it, its progress, and a preview of
+// what was made. The window goes on meanwhile. Window thread.
+
+#include "ui/actions/actions.h"
+#include "ui/model/app_model.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDialog>
+#include <QFormLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QTableWidget>
+
+namespace ghost::ui {
+
+// "paperwork", "cue-book": they open it.
+void add_print_actions(Actions& actions, AppModel& app, QWidget& window);
+
+class PrintDialog : public QDialog {
+    Q_OBJECT
+public:
+    enum class What { paper, book };
+    PrintDialog(What what, AppModel& app, Actions& actions, QWidget* parent);
+
+    QString options() const; // of the command, as a script line has them
+
+private:
+    void add_paper_choices(QFormLayout& form);
+    void add_book_choices(QFormLayout& form);
+    QWidget* make_preview();
+    void name_show();
+    void make();
+    void follow();
+    void show_result();
+    void show_table();
+    void show_pictures();
+
+    What what_;
+    AppModel& app_;
+    Actions& actions_;
+    int job_ = 0; // that runs, or was the last; 0: none
+    bool is_shown_ = false;
+    QString made_; // the folder that the job makes
+    QLineEdit* folder_;
+    QComboBox *page_, *language_ = nullptr, *units_ = nullptr, *scale_ = nullptr, *sheet_ = nullptr;
+    QComboBox *entries_ = nullptr, *camera_ = nullptr, *size_ = nullptr;
+    QLineEdit* against_ = nullptr;
+    QCheckBox *pdf_, *plan_ = nullptr, *focus_ = nullptr;
+    QLabel* said_;
+    QProgressBar* bar_;
+    QPushButton *make_, *cancel_, *open_;
+    QComboBox* tables_ = nullptr;
+    QTableWidget* table_ = nullptr;
+    QListWidget* pictures_ = nullptr;
+};
+
+} // namespace ghost::ui
