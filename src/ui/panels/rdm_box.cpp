@@ -34,7 +34,7 @@ QString words_of(const RdmNow& rdm, const scene::Show& show) {
                        .arg(rdm.heads.size())
                        .arg(rdm.messages);
     if (rdm.faults > 0) text += QString(", %1 not understood").arg(rdm.faults);
-    if (rdm.refused > 0) text += QString(", %1 wishes refused").arg(rdm.refused);
+    if (rdm.refused > 0) text += QString(", %1 refused").arg(rdm.refused);
     int identify = 0;
     QStringList names;
     for (const RdmHead& head : rdm.heads) {

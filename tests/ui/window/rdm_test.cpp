@@ -125,7 +125,7 @@ TEST(RdmBox, says_what_desks_know) {
     EXPECT_EQ(table->item(1, 4)->text(), "is found");
     EXPECT_EQ(table->item(2, 4)->text(), "waits");
     EXPECT_EQ(words_of(now, *bench.app.show()),
-              "2 of 3 fixtures were found by a desk, 5 messages, 1 wishes refused; Lamp 1 identifies itself");
+              "2 of 3 fixtures were found by a desk, 5 messages, 1 refused; Lamp 1 identifies itself");
 }
 
 } // namespace
