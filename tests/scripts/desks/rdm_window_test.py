@@ -100,8 +100,8 @@ def drive(window, desk, show):
     window.do("panel-network on", "rdm read")
     uids = wait("OLA finds three fixtures", lambda: found if len(found := discover(desk)) == 3 else None)
     of = {re.search(r"Head \d|Par", get(uid, "device_label")).group(0): uid for uid in uids}
-    state = window.until(lambda state: state["rdm"]["found"] == 3)
-    assert state["rdm"]["access"] == "read" and state["rdm"]["messages"] >= 3, state["rdm"]
+    state = window.until(lambda state: state["rdm"]["found"] == 3 and state["rdm"]["messages"] >= 3)
+    assert state["rdm"]["access"] == "read", state["rdm"]
     assert "rotect" in set_to(of["Head 1"], "dmx_start_address", "100")
     print("ok: read alone: an address may not be set")
     flashes(window, desk, of["Head 1"])
