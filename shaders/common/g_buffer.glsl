@@ -13,6 +13,7 @@ layout(location = 0) centroid in vec3 in_normal;
 layout(location = 1) centroid in vec4 in_tangent;
 layout(location = 2) centroid in vec2 in_uv;
 layout(location = 3) flat in uint mirrored;
+layout(location = 4) flat in float glow;
 layout(location = 0) out vec4 out_base;     // base colour, roughness
 layout(location = 1) out vec4 out_normal;   // octahedral normal; change of depth per pixel right and down, by the depth
 layout(location = 2) out vec4 out_emission; // emission, specular
@@ -81,6 +82,7 @@ void main() {
     }
     vec3 emission = p.emission;
     if ((kTextures & kEmissionTexture) != 0u) emission *= kToWorking * texture(emission_texture, at).rgb;
+    emission += glow;
 
     bool behind = gl_FrontFacing == (mirrored != 0u);
     vec3 front = unit_or(in_normal, vec3(0.0, 0.0, 1.0));

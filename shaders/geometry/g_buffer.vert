@@ -13,6 +13,7 @@ layout(location = 0) centroid out vec3 out_normal; // of the front
 layout(location = 1) centroid out vec4 out_tangent;
 layout(location = 2) centroid out vec2 out_uv;
 layout(location = 3) flat out uint out_mirrored;
+layout(location = 4) flat out float out_glow;
 layout(push_constant, scalar) uniform Push { MeshPush p; };
 layout(constant_id = 1) const uint kTextures = 0u;
 
@@ -31,4 +32,5 @@ void main() {
     if ((kTextures & kNormalTexture) != 0u)
         out_tangent = vec4(p.axis[0] * tangent.x + p.axis[1] * tangent.y + p.axis[2] * tangent.z, tangent.w * sign(volume));
     out_mirrored = volume < 0.0 ? 1u : 0u;
+    out_glow = p.glow;
 }

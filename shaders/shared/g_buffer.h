@@ -27,8 +27,9 @@ SHARED_CONST uint kEmissionTexture = 8u;
 struct MeshPush {
     vec4 to_clip[4]; // columns of the matrix from the mesh to clip space
     vec3 axis[3];    // columns of the matrix that turns and scales directions into the world
+    float glow;      // cd/m^2, beside what the material sends out
 };
-SHARED_SIZE(MeshPush, 100);
+SHARED_SIZE(MeshPush, 104);
 
 struct MeshMaterial {
     vec3 base_colour;

@@ -27,14 +27,15 @@ struct Rung {
     int desks;
 };
 constexpr Rung kLadder[] = {{256, 44, 1}, {512, 44, 1}, {512, 60, 1}, {512, 44, 2}, {1024, 44, 1}};
+constexpr Rung kTwoDesks{512, 44, 2};
 constexpr double kSent_s = 5.0;
 
 // A desk that is late goes on from there: real ones do not make up for it with several refreshes at once.
-std::uint64_t run_desk(dmx::Sender& desk, const Rung& rung) {
+std::uint64_t run_desk(dmx::Sender& desk, const Rung& rung, double sent_s) {
     dmx::Universes all;
     for (std::uint16_t universe = 1; universe <= rung.universes; ++universe) all.at(universe);
     const auto period = std::chrono::nanoseconds(1'000'000'000 / rung.rate_hz);
-    const int refreshes = static_cast<int>(kSent_s * rung.rate_hz);
+    const int refreshes = static_cast<int>(sent_s * rung.rate_hz);
     auto next = Clock::now();
     for (int i = 0; i < refreshes && !interrupted(); ++i) {
         std::this_thread::sleep_until(next);
@@ -55,7 +56,7 @@ std::uint64_t run_desk(dmx::Sender& desk, const Rung& rung) {
     return desk.packets();
 }
 
-Result<BenchRow> measure(const Rung& rung, std::uint16_t port) {
+Result<BenchRow> measure(const Rung& rung, double sent_s, std::uint16_t port) {
     dmx::ReceiverOptions wanted;
     wanted.interface = "127.0.0.1";
     wanted.artnet = false;
@@ -76,7 +77,7 @@ Result<BenchRow> measure(const Rung& rung, std::uint16_t port) {
     const auto start = Clock::now();
     std::vector<std::thread> threads;
     for (std::size_t i = 0; i < desks.size(); ++i)
-        threads.emplace_back([&, i] { sent[i] = run_desk(desks[i], rung); });
+        threads.emplace_back([&, i] { sent[i] = run_desk(desks[i], rung, sent_s); });
     for (std::thread& one : threads) one.join();
     const double took_s = std::chrono::duration<double>(Clock::now() - start).count();
     dmx::Statistics statistics;
@@ -113,9 +114,14 @@ Result<void> bench_network(const BenchOptions& options, const BenchSink& sink) {
     const auto port = static_cast<std::uint16_t>(30000 + Clock::now().time_since_epoch().count() / 1'000'000 %
                                                              20000); // nobody else's, most likely
     if (options.soak_seconds > 0) return network_soak(options.soak_seconds, port, sink);
+    if (options.desk_seconds > 0) {
+        TRY(const BenchRow row, measure(kTwoDesks, options.desk_seconds, port));
+        sink(row);
+        return {};
+    }
     for (const Rung& rung : kLadder) {
         if (interrupted()) break;
-        TRY(const BenchRow row, measure(rung, port));
+        TRY(const BenchRow row, measure(rung, kSent_s, port));
         sink(row);
     }
     return {};

@@ -73,6 +73,12 @@ void add_bench(CLI::App& app, int& exit_code) {
                      "with network or window: an even load for so many seconds, one row a minute, instead of "
                      "the table; an error unless memory stayed flat and, with network, every packet came")
         ->check(number_in(1.0, 86400.0 * 7));
+    command
+        ->add_option("--desks", a->options.desk_seconds,
+                     "with network: two desks of 512 universes each at 44 Hz for so many seconds, instead of "
+                     "the table")
+        ->check(number_in(1.0, 3600.0))
+        ->type_name("SECONDS");
     command->add_flag("--power", a->options.power,
                       "with bounce: light by order, solved and by particles, instead of the table");
     command->add_option("--device", a->options.device, "Vulkan device: part of its name, or its number")
@@ -85,6 +91,11 @@ void add_bench(CLI::App& app, int& exit_code) {
         if (a->options.soak_seconds > 0 && a->table != "network" && a->table != "window") {
             log_error(
                 "--soak: belongs to the tables network and window: ghostlight bench network --soak 3600");
+            exit_code = 2;
+            return;
+        }
+        if (a->options.desk_seconds > 0 && a->table != "network") {
+            log_error("--desks: belongs to the table network: ghostlight bench network --desks 60");
             exit_code = 2;
             return;
         }

@@ -35,7 +35,7 @@ struct MonitorOptions {
     double seconds = 0.0;
     double every_s = 1.0;
     std::string show;
-    std::string rdm = "off";
+    bool rdm = false;
     bool learn = false;
     bool levels = false;
     bool json = false;
@@ -120,8 +120,8 @@ Result<void> monitor(const MonitorOptions& options, dmx::ReceiverOptions input) 
     std::optional<scene::Show> show;
     TRY_VOID(read_patch(options, input, report, show));
     std::optional<RdmDesk> rdm;
-    if (show && options.rdm != "off") {
-        rdm.emplace(input.artnet_offset, false);
+    if (show && options.rdm) {
+        rdm.emplace(input.artnet_offset, ui::RdmAccess::read);
         rdm->update(*show);
         rdm->listen(input);
         log_info("RDM: " + std::to_string(rdm->devices()) + " fixtures answer");
@@ -204,7 +204,7 @@ void add_monitor(CLI::App& app, int& exit_code) {
         ->type_name("SHOW");
     command
         ->add_flag(
-            "--rdm", [options](std::int64_t) { options->rdm = "read"; },
+            "--rdm", options->rdm,
             "answer RDM by Art-Net for every fixture of --show: a desk finds them, reads what they are and "
             "may "
             "identify them, which is said; nothing is changed")

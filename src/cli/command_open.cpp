@@ -44,6 +44,8 @@ Result<void> check_usage(OpenArguments& arguments) {
     arguments.engine.listens = arguments.window.takes_desk = !arguments.no_desk;
     arguments.engine.session.quiet = arguments.quiet;
     if (arguments.sound != "off") arguments.engine.sound = arguments.sound;
+    if (arguments.no_desk && arguments.window.rdm != ui::RdmAccess::off)
+        return Error{"RDM comes by the network, too", "--no-desk/--rdm"};
     TRY_VOID(check_live_controls(arguments.engine.controls));
     TRY_VOID(open_timecode(arguments.engine.timecode));
     if (!arguments.engine.timecode.begin.empty() && arguments.engine.timecode.ltc.empty() &&
@@ -137,6 +139,7 @@ void add_open(CLI::App& app, int& exit_code) {
     add_web_options(*command, a->web);
     add_bounce_option(*command, a->engine.session.bounce);
     add_live_control_options(*command, a->engine.controls);
+    add_rdm_option(*command, a->window.rdm);
     add_timecode_options(*command, a->engine.timecode, a->input.midi);
     command
         ->add_option("--sound", a->sound,

@@ -35,6 +35,7 @@ struct ServeArguments {
     InputOptions input;
     WebOptions web;
     web::ServerOptions server;
+    bool rdm = false;
     bool no_desk = false;
     bool quiet = false;
 };
@@ -51,6 +52,7 @@ Result<void> check_usage(ServeArguments& arguments) {
     if (!arguments.engine.timecode.begin.empty() && arguments.engine.timecode.ltc.empty() &&
         arguments.no_desk)
         return Error{"the time code comes by the network, too", "--no-desk/--timecode"};
+    if (arguments.rdm && arguments.no_desk) return Error{"RDM comes by the network, too", "--no-desk/--rdm"};
     TRY(arguments.server, server_options(arguments.web));
     TRY(const glm::ivec2 size, size_from(arguments.size, {320, 180}, 3840));
     arguments.width = size.x;
@@ -65,6 +67,7 @@ public:
         request_.show = arguments.show;
         request_.opens = 1;
         request_.quality.fps = arguments.fps;
+        request_.rdm = arguments.rdm ? ui::RdmAccess::read : ui::RdmAccess::off;
         request_.camera.width = 0; // nothing is drawn before the show is open
         send();
     }
@@ -203,6 +206,9 @@ void add_serve(CLI::App& app, int& exit_code) {
     command->add_flag("--quiet", a->quiet, "print warnings and errors only");
     add_bounce_option(*command, a->engine.session.bounce);
     add_live_control_options(*command, a->engine.controls);
+    command->add_flag("--rdm", a->rdm,
+                      "answer RDM by Art-Net for every patched fixture, so that a desk finds, reads and "
+                      "identifies them; nothing is changed");
     add_timecode_options(*command, a->engine.timecode, a->input.midi);
     add_input_options(*command, a->input);
     command->footer("Example: ghostlight serve assets/demo --web 8010\n"

@@ -70,6 +70,13 @@ Reason blocking(Cause cause, std::string text, std::string group, std::vector<in
     return {cause, true, std::move(text), std::move(group), std::move(channels), fraction};
 }
 
+// Of two bytes: what stands in the fine one would be light in the coarse one.
+bool may_be_swapped(const ChannelFacts& channel) {
+    constexpr std::uint32_t kHigh = 128;
+    return channel.places.size() == 2 && channel.reading.received && channel.reading.raw < 256 &&
+           channel.reading.raw >= kHigh;
+}
+
 Reason dimmer_finding(const Beam& beam, const fixture::Optics& optics) {
     const std::string group =
         "their dimmer is " + std::string(optics.dimmer <= 0.0f ? "at 0" : "nearly at 0");
@@ -82,6 +89,9 @@ Reason dimmer_finding(const Beam& beam, const fixture::Optics& optics) {
         const ChannelFacts& first = beam.at(low.front());
         std::string text = "the dimmer on " + place_text(first) + " " + value_text(first) + " of function " +
                            function_text(first) + ", that is " + first.meaning;
+        if (may_be_swapped(first))
+            text += "; its coarse byte is at 0 and its fine one at " + std::to_string(first.reading.raw) +
+                    ": a fader at its foot, or a desk that sends the fine byte first (16-bit order)";
         if (low.size() > 1)
             text += "; so " + std::string(low.size() > 2 ? "are " : "is ") +
                     places_text(beam, {low.begin() + 1, low.end()});

@@ -14,6 +14,7 @@
 #include "link/browsers.h"
 #include "link/look.h"
 #include "link/news.h"
+#include "link/rdm.h"
 #include "show/bounce_detail.h"
 #include "show/camera.h"
 #include "show_folder/hang.h"
@@ -118,6 +119,8 @@ struct ViewRequest {
     bool stops_bounce = false;          // the links of bounced light are not made, for they are not there yet
     SaveFrame save_frame;
     std::uint64_t take_plot = 0; // number of the received plot to be merged into the show; 0: none
+    RdmAccess rdm = RdmAccess::off;
+    std::uint64_t rdm_answered = 0; // RdmWish
 };
 
 // An instance of the stage that can be hidden.
@@ -295,6 +298,8 @@ struct Link {
     Mailbox<CameraCall> camera_call;
     News<std::vector<NamedPicture>> camera_pictures; // all there are
     Mailbox<LookCall> look_call;
+    Mailbox<RdmNow> rdm;
+    BoundedQueue<RdmWish, kMostRdmWishes> rdm_wishes;
 
     // Of the second reader of the news: browsers.
     Mailbox<std::size_t> question; // the fixture that is to be explained, once

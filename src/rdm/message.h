@@ -42,6 +42,7 @@ enum class Nack : std::uint16_t {
     write_protect = 4,
     unsupported_command = 5,
     data_out_of_range = 6,
+    buffer_full = 7,
     sub_device_out_of_range = 9,
 };
 

@@ -11,10 +11,11 @@ bool Node::update(std::vector<Device> devices) {
     std::map<int, std::set<Uid>> by_universe;
     for (const Device& device : devices)
         if (device.universe > 0) by_universe[device.universe].insert(device.uid);
-    std::erase_if(responders_, [&](const auto& one) {
-        return std::none_of(devices.begin(), devices.end(),
-                            [&](const Device& device) { return device.uid == one.first; });
-    });
+    std::set<Uid> there;
+    for (const Device& device : devices) there.insert(device.uid);
+    const auto is_gone = [&](const auto& one) { return !there.contains(one.first); };
+    std::erase_if(responders_, is_gone);
+    std::erase_if(heard_, is_gone);
     for (Device& device : devices) {
         const auto known = responders_.find(device.uid);
         if (known != responders_.end())
@@ -28,6 +29,21 @@ bool Node::update(std::vector<Device> devices) {
 const Device* Node::find(const Uid& uid) const {
     const auto found = responders_.find(uid);
     return found == responders_.end() ? nullptr : &found->second.device();
+}
+
+void Node::feel(const Uid& uid, std::span<const std::int16_t> values) {
+    if (const auto found = responders_.find(uid); found != responders_.end()) found->second.feel(values);
+}
+
+Node::Heard Node::heard(const Uid& uid) const {
+    const auto found = heard_.find(uid);
+    return found == heard_.end() ? Heard{} : found->second;
+}
+
+void Node::answer_table(std::uint16_t port_address, Packets& out) {
+    add_table(port_address, out);
+    if (const auto found = by_universe_.find(universe_of(port_address)); found != by_universe_.end())
+        for (const Uid& uid : found->second) heard_[uid].is_found = true;
 }
 
 void Node::add_table(std::uint16_t port_address, Packets& out) const {
@@ -60,9 +76,9 @@ Node::Packets Node::take(Bytes packet, const Responder::Wants& wants) {
     Packets out;
     const ArtPacket parsed = parse_artnet(packet);
     if (const auto* request = std::get_if<TodRequest>(&parsed)) {
-        for (const std::uint16_t address : request->port_addresses) add_table(address, out);
+        for (const std::uint16_t address : request->port_addresses) answer_table(address, out);
     } else if (const auto* control = std::get_if<TodControl>(&parsed)) {
-        add_table(control->port_address, out);
+        answer_table(control->port_address, out);
     } else if (const auto* rdm = std::get_if<ArtRdm>(&parsed)) {
         const Message* const message = std::get_if<Message>(&rdm->message);
         if (!message) {
@@ -74,6 +90,7 @@ Node::Packets Node::take(Bytes packet, const Responder::Wants& wants) {
         ++messages_;
         for (const Uid& uid : there->second) {
             if (!message->to.means(uid)) continue;
+            ++heard_[uid].messages;
             const Responder::Reply reply = responders_.at(uid).take(*message, wants);
             if (reply.message) out.push_back(build_art_rdm(rdm->port_address, *reply.message));
         }

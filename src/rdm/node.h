@@ -31,15 +31,25 @@ public:
 
     std::size_t devices() const { return responders_.size(); }
     const Device* find(const Uid& uid) const;
+    // What the sensors of a device have now.
+    void feel(const Uid& uid, std::span<const std::int16_t> values);
+    // What desks know of a device.
+    struct Heard {
+        bool is_found = false; // it was in a table that a desk asked for
+        std::uint64_t messages = 0;
+    };
+    Heard heard(const Uid& uid) const;
     std::uint64_t messages() const { return messages_; }
     std::uint64_t faults() const { return faults_; } // messages that are none
 
 private:
     void add_table(std::uint16_t port_address, Packets& out) const;
+    void answer_table(std::uint16_t port_address, Packets& out);
     int universe_of(std::uint16_t port_address) const { return port_address + artnet_offset_; }
 
     int artnet_offset_;
     std::map<Uid, Responder> responders_;
+    std::map<Uid, Heard> heard_;
     std::map<int, std::set<Uid>> by_universe_;
     std::uint64_t messages_ = 0, faults_ = 0;
 };

@@ -128,6 +128,15 @@ void Responder::queue(Pid pid) {
     queue_.push_back(std::move(message));
 }
 
+void Responder::feel(std::span<const std::int16_t> values) {
+    for (std::size_t i = 0; i < std::min(values.size(), device_.sensors.size()); ++i) {
+        Sensor& sensor = device_.sensors[i];
+        sensor.value = values[i];
+        sensor.lowest = std::min(sensor.lowest, values[i]);
+        sensor.highest = std::max(sensor.highest, values[i]);
+    }
+}
+
 void Responder::update(Device device) {
     const Device before = std::exchange(device_, std::move(device));
     for (std::size_t i = 0; i < device_.sensors.size(); ++i) {

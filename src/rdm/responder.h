@@ -9,6 +9,7 @@
 #include <deque>
 #include <functional>
 #include <optional>
+#include <span>
 
 namespace ghost::rdm {
 
@@ -46,6 +47,8 @@ public:
     const Device& device() const { return device_; }
     // As the show has it now. What a desk would want to know is queued.
     void update(Device device);
+    // What its sensors have now, in their order.
+    void feel(std::span<const std::int16_t> values);
 
     // The response, if there is one: to a broadcast, and to what is meant for others, there is none. bytes:
     // of a discovery answer instead of a message.

@@ -4,6 +4,7 @@
 #include "dmx/wire/universes.h"
 #include "json_xml_toml/toml_problem.h"
 #include "json_xml_toml/toml_reader.h"
+#include "show/names.h"
 #include "show_file/private/laser_toml.h"
 #include "show_file/private/media_toml.h"
 #include "show_file/scene_toml.h"
@@ -24,18 +25,11 @@ constexpr std::size_t kMaxHidden = 1000;
 constexpr std::size_t kMaxChanges = 100'000;
 constexpr std::size_t kMaxBreaks = 64;
 constexpr int kMaxPictureSide = 16384;
-constexpr std::size_t kMaxNameBytes = 100;
 constexpr double kLongestOffset_s = 86'400;
 
 template <class Target, class Value>
 void put_value(Target& target, const std::optional<Value>& value) {
     if (value) target = static_cast<Target>(*value);
-}
-
-// Names become names of folders and files.
-bool is_good_name(const std::string& name) {
-    return !name.empty() && name.size() <= kMaxNameBytes && name[0] != '.' &&
-           name.find_first_of("/\\:*?\"<>|") == std::string::npos;
 }
 
 // The entry's name, made usable and unique.

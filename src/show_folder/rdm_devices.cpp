@@ -73,25 +73,42 @@ std::int16_t tenths(double degrees) {
     return static_cast<std::int16_t>(std::lround(std::clamp(degrees * 10.0, -32767.0, 32767.0)));
 }
 
-void add_sensor(rdm::Device& device, const fixture::Mode& mode, const std::string& attribute,
-                double now_deg) {
-    for (const fixture::Channel& channel : mode.channels) {
-        if (channel.logical.empty() || channel.logical.front().attribute != attribute ||
-            channel.functions.empty())
-            continue;
-        const fixture::ChannelFunction& function = channel.functions.front();
-        const double a = function.physical_from, b = function.physical_to;
+// What tells an angle as a sensor; null: the mode has no such channel.
+const fixture::ChannelFunction* angle_of(const fixture::Mode& mode, std::string_view attribute) {
+    for (const fixture::Channel& channel : mode.channels)
+        if (!channel.logical.empty() && channel.logical.front().attribute == attribute &&
+            !channel.functions.empty())
+            return &channel.functions.front();
+    return nullptr;
+}
+
+constexpr const char* kAngles[] = {"Pan", "Tilt"};
+
+std::vector<rdm::Sensor> sensors_of(const fixture::Mode& mode, const fixture::State& state) {
+    std::vector<rdm::Sensor> sensors;
+    const std::vector<std::int16_t> values = rdm_angles(mode, state);
+    for (const char* const attribute : kAngles) {
+        const fixture::ChannelFunction* const angle = angle_of(mode, attribute);
+        if (!angle) continue;
         rdm::Sensor sensor;
-        sensor.name = attribute + " position";
+        sensor.name = attribute + std::string(" position");
+        const double a = angle->physical_from, b = angle->physical_to;
         sensor.least = tenths(std::min(a, b));
         sensor.most = tenths(std::max(a, b));
-        sensor.value = sensor.lowest = sensor.highest = tenths(now_deg);
-        device.sensors.push_back(std::move(sensor));
-        return;
+        sensor.value = sensor.lowest = sensor.highest = values[sensors.size()];
+        sensors.push_back(std::move(sensor));
     }
+    return sensors;
 }
 
 } // namespace
+
+std::vector<std::int16_t> rdm_angles(const fixture::Mode& mode, const fixture::State& state) {
+    std::vector<std::int16_t> values;
+    if (angle_of(mode, kAngles[0])) values.push_back(tenths(static_cast<double>(state.pan_deg)));
+    if (angle_of(mode, kAngles[1])) values.push_back(tenths(static_cast<double>(state.tilt_deg)));
+    return values;
+}
 
 std::vector<RdmFixture> rdm_devices(const Show& show, const std::vector<fixture::State>& states) {
     std::vector<RdmFixture> result;
@@ -125,9 +142,7 @@ std::vector<RdmFixture> rdm_devices(const Show& show, const std::vector<fixture:
         device.personality = static_cast<std::uint8_t>(std::min(fixture.mode + 1, 255));
         device.start_address = static_cast<std::uint16_t>(std::min(fixture.address, 512));
         device.slots = slots_of(mode);
-        const bool known = i < states.size();
-        add_sensor(device, mode, "Pan", known ? static_cast<double>(states[i].pan_deg) : 0.0);
-        add_sensor(device, mode, "Tilt", known ? static_cast<double>(states[i].tilt_deg) : 0.0);
+        device.sensors = sensors_of(mode, i < states.size() ? states[i] : fixture::State{});
         result.push_back({i, std::move(device)});
     }
     return result;

@@ -20,4 +20,7 @@ struct RdmFixture {
 // Of fixtures whose type is known and that have an address; states: of the rig, or none.
 std::vector<RdmFixture> rdm_devices(const Show& show, const std::vector<fixture::State>& states = {});
 
+// What the sensors of such a device have now, in their order.
+std::vector<std::int16_t> rdm_angles(const fixture::Mode& mode, const fixture::State& state);
+
 } // namespace ghost::scene

@@ -43,6 +43,15 @@ TEST(RdmNode, the_table_of_a_port_in_as_many_packets_as_it_needs) {
 }
 
 // Art-Net 4: 24 bytes before the addresses; a table request of one port, byte by byte.
+TEST(RdmNode, answers_for_so_many_and_no_more) {
+    Node node(1);
+    std::vector<Device> many = heads(kMaxDevices + 1);
+    const Uid last_of_all = many.back().uid, last = many[kMaxDevices - 1].uid;
+    EXPECT_TRUE(node.update(std::move(many)));
+    EXPECT_NE(node.find(last), nullptr);
+    EXPECT_EQ(node.find(last_of_all), nullptr);
+}
+
 TEST(RdmNode, packets_as_art_net_has_them) {
     const Data request = build_tod_request({{0x0203}});
     EXPECT_EQ(request, (Data{'A', 'r', 't', '-', 'N', 'e', 't', 0, 0x00, 0x80, 0, 14, 0,

@@ -80,7 +80,7 @@ class Stage:
             row = lambda values: ",".join(str(values.get(i + 1, 0)) for i in range(512))
             (self.show / "a.show").write_text("OLA Show\n" + "".join(f"{universe} {row(values)}\n500\n" for universe, values in frames))
         for name, universe, address, *kind in self.setup["fixtures"]:
-            gdtf = self.setup["gdtf"] or SOURCE / f"assets/fixtures/Vari-Lite@VL2500_{kind[0] if kind else 'Spot'}.gdtf"
+            gdtf = SOURCE / "assets/fixtures" / (self.setup["gdtf"] or f"Vari-Lite@VL2500_{kind[0] if kind else 'Spot'}.gdtf")
             toml += LAMP.format(name, gdtf, universe, address)
         (self.show / "show.toml").write_text(toml + self.setup["toml"])
 
@@ -270,6 +270,8 @@ def main():
             Stage(folder, "try", {}).end()
     except subprocess.SubprocessError as error:
         needs.skip(f"no network namespaces or veth here: {error}")
+    if not shutil.which("nft"):
+        print("nftables is not installed: the firewall is staged as a desk that sends nothing")
     more = sys.argv[3:]
     path = more[more.index("--write") + 1] if "--write" in more else None
     names = [] if path else more

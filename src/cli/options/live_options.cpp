@@ -4,6 +4,9 @@
 #include "cli/options/input_options.h"
 #include "cli/options/number_option.h"
 
+#include <algorithm>
+#include <iterator>
+
 namespace ghost::app {
 namespace {
 
@@ -38,14 +41,18 @@ CLI::Option* add_ltc_option(CLI::App& command, std::string& name) {
         ->type_name("INPUT|FILE");
 }
 
-CLI::Option* add_rdm_option(CLI::App& command, std::string& text) {
-    return command
-        .add_option(
-            "--rdm", text,
+void add_rdm_option(CLI::App& command, ui::RdmAccess& access) {
+    command
+        .add_option_function<std::string>(
+            "--rdm",
+            [&access](const std::string& word) {
+                const auto found = std::find(std::begin(ui::kRdmAccess), std::end(ui::kRdmAccess), word);
+                access = static_cast<ui::RdmAccess>(found - std::begin(ui::kRdmAccess));
+            },
             "answer RDM by Art-Net for every patched fixture, so that a desk finds, reads and identifies "
-            "them; edit: it may also set address, mode and name")
+            "them; edit: it may also set address, mode and name, which can be undone")
         ->check(CLI::IsMember({"off", "read", "edit"}))
-        ->capture_default_str();
+        ->default_str("off");
 }
 
 void add_live_control_options(CLI::App& command, LiveControlOptions& options) {

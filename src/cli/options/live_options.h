@@ -4,6 +4,7 @@
 // Main thread.
 
 #include "farm/farm.h"
+#include "link/rdm.h"
 #include "live/engine/live_controls.h"
 #include "live/inputs/timecode_input.h"
 
@@ -16,8 +17,8 @@ namespace ghost::app {
 CLI::Option* add_timecode_options(CLI::App& command, TimeCodeOptions& options, std::string& midi);
 // Adds --ltc. name must outlive command.
 CLI::Option* add_ltc_option(CLI::App& command, std::string& name);
-// Adds --rdm. text must outlive command.
-CLI::Option* add_rdm_option(CLI::App& command, std::string& text);
+// Adds --rdm. access must outlive command.
+void add_rdm_option(CLI::App& command, ui::RdmAccess& access);
 // Adds --osc and --psn. options must outlive command.
 void add_live_control_options(CLI::App& command, LiveControlOptions& options);
 // --farm, --farm-options and --farm-jobs.

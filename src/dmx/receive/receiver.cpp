@@ -195,7 +195,7 @@ void Receiver::Loop::send_replies(nanoseconds now) {
                 {port_address, live && !live->lost, intake.merge().count(universe, Protocol::artnet) > 1});
         }
         reply.bind_index = due->bind_index;
-        reply.rdm = static_cast<bool>(options.answer_artnet);
+        reply.rdm = options.knows_rdm && options.knows_rdm();
         reply.ltp = options.artnet_ltp;
         reply.short_name = "Ghostlight";
         reply.long_name =

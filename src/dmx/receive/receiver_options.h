@@ -50,8 +50,10 @@ struct ReceiverOptions {
     std::function<void()> on_change;
     // Gets every Art-Net packet of a local network that is none of ours (packet.h), RDM for one; what it
     // returns goes back to who sent it, at most kMaxAnswers in kAnswersEvery. On the receiver's thread, and
-    // must be quick. Nodes that have it say in their ArtPollReply that they know RDM.
+    // must be quick.
     std::function<std::vector<std::vector<std::uint8_t>>(Bytes packet)> answer_artnet;
+    // Whether ArtPollReply says now that our ports know RDM; on the receiver's thread.
+    std::function<bool()> knows_rdm;
     // Gets every time code, of the MIDI port where one is named, else of Art-Net; on the receiver's thread,
     // and must be quick. arrival: of Art-Net as the kernel stamped it.
     std::function<void(const TimeCode&, std::chrono::nanoseconds arrival)> on_timecode;

@@ -8,6 +8,7 @@
 #include "link/link.h"
 #include "live/engine/desk_recorder.h"
 #include "live/engine/message_board.h"
+#include "live/inputs/rdm_heads.h"
 #include "live/inputs/timecode_input.h"
 
 #include <memory>
@@ -23,6 +24,8 @@ public:
     DeskListener(const DeskListener&) = delete;
     DeskListener& operator=(const DeskListener&) = delete;
 
+    // What desks are told of the show, before it listens.
+    void answer(RdmHeads& heads) { heads.listen(options_); }
     // What recordings follow, before it listens.
     void follow(const TimeCodeOptions& timecode);
     // Tries to, every few seconds. True: it has begun to.

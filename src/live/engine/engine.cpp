@@ -144,6 +144,7 @@ void Engine::begin_inputs() {
         if (const Result<void> opened = controls_.open_trackers(options_.receiver.interface); !opened.ok())
             messages_.add(Severity::error, opened.error().where, opened.error().what);
     }
+    desk_.answer(rdm_);
     desk_.follow(options_.timecode);
 }
 
@@ -205,6 +206,7 @@ void Engine::adopt(std::unique_ptr<Session> session, Opening::Kind kind) {
     input_ = std::make_unique<LiveInput>(desk_.receiver(), desk_.timecode());
     sound_.use(session_->show->sound);
     listen_to_patch();
+    rdm_.begin(kind == Opening::Kind::another);
     if (kind == Opening::Kind::another) {
         request_.recording.clear();
         played_.clear();

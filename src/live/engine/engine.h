@@ -20,6 +20,7 @@
 #include "live/engine/show_sound.h"
 #include "live/engine/side_views.h"
 #include "live/inputs/live_input.h"
+#include "live/inputs/rdm_heads.h"
 #include "live/session/applied_look.h"
 #include "live/session/opening.h"
 #include "live/session/session.h"
@@ -121,6 +122,7 @@ private:
     std::string played_;                      // of the request: what is played instead of the show's own
     DeskRecorder recorder_{link_};
     MessageBoard messages_{link_};
+    RdmHeads rdm_{link_, options_.receiver.artnet_offset}; // the receiver asks it, and goes first
     DeskListener desk_{options_.receiver, recorder_, messages_, link_};
     scene::PatchMap patch_; // of the session's show
     RigNews rig_news_{link_};

@@ -31,6 +31,7 @@ void Engine::take_edit() {
         const auto edited = open_show(path, false, true, report, text_);
         if (edited.ok() && take_patch(*session_, *edited, report)) {
             listen_to_patch();
+            rdm_.know_anew();
             take_air(*edited);
             controls_.know(*session_); // other cues
             shown_.lights = {};

@@ -4,6 +4,7 @@
 #include "show/camera_moves.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <utility>
 
@@ -12,6 +13,7 @@ namespace {
 
 constexpr double kLongestStep_s = 0.5; // a slow frame must not make the recording jump
 constexpr double kLongestFilm_s = 1e9; // of time code, which loops where the film does
+constexpr float kFlashAtEv0_cd_m2 = 1; // of a body that identifies itself: white, whatever the exposure
 
 bool same_lit(const scene::FrameLights& a, const scene::FrameLights& b) {
     const auto same = [](const shared::Light& x, const shared::Light& y) {
@@ -104,6 +106,7 @@ std::string Engine::needs_live() const {
     if (!(look.scene == ui::SceneLook{})) return "air, even light or shadows are set by hand";
     if (controls_.remote().haze != 1.0f) return "a remote control sets the haze";
     if (session_->rig->movers().has_moved()) return "a mover is not where the model has it";
+    if (rdm_.identifies()) return "a fixture identifies itself";
     if (controls_.has_trackers()) return "trackers may move what is on stage";
     return "";
 }
@@ -178,6 +181,12 @@ void Engine::frame() {
     for (const std::string& sentence : sound_.take_messages())
         messages_.add(Severity::warning, session_->show->sound.where, sentence);
     session_->show_media(air_s_ + dt_s);
+    rdm_.step(request_, (!request_.text || request_.text == text_) && !opening_.is_running(), *session_->show,
+              session_->rig->states(), begin_s);
+    if (const auto shining = rdm_.flash(begin_s)) {
+        session_->live->light_bodies(*shining, kFlashAtEv0_cd_m2 * std::exp2(relighter().ev100_used()));
+        last_change_s_ = begin_s;
+    }
     const bool baked =
         baked_.choose(*session_, {wanted, request_.camera.fov_y_deg, text_, needs_live()}, begin_s);
     const bool switched = baked != std::exchange(shown_.is_baked, baked);

@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // RdmDesk: the fixtures of a show as RDM devices that a lighting desk finds by Art-Net (rdm/node.h): the
 // receiver's thread asks for answers, the thread that has the show tells what it is and takes what the desk
-// wants to be changed. Start address, personality and label only with leave. Any thread.
+// wants to be changed. What was granted counts for the desk from then on, until the show has it. Any thread.
 
 #include "dmx/receive/receiver_options.h"
+#include "link/rdm.h"
 #include "rdm/node.h"
 #include "show_folder/rdm_devices.h"
 
@@ -21,40 +22,68 @@ struct PatchedFixture;
 
 namespace ghost::app {
 
-inline constexpr std::size_t kMostRdmChanges = 4096; // that wait; more are refused
-
 class RdmDesk {
 public:
-    // may_edit: a desk may change what stands in the show.
-    RdmDesk(int artnet_offset, bool may_edit) : node_(artnet_offset), may_edit_(may_edit) {}
+    explicit RdmDesk(int artnet_offset, ui::RdmAccess access = ui::RdmAccess::off)
+        : node_(artnet_offset), access_(access) {}
 
     // To be called before the receiver starts; this must outlive it.
     void listen(dmx::ReceiverOptions& options);
+    // Off: nothing identifies itself any more, and nothing is wanted.
+    void set_access(ui::RdmAccess access);
 
-    // As the show and the rig are now.
-    void update(const scene::Show& show, const std::vector<fixture::State>& states = {});
+    // As the show and the rig are now. answered: what was wanted with that number or a lower one is in the
+    // show, or was refused.
+    void update(const scene::Show& show, const std::vector<fixture::State>& states = {},
+                std::uint64_t answered = 0);
+    // As the rig has turned since.
+    void turn(const scene::Show& show, const std::vector<fixture::State>& states);
+    // Another show: what it has has nothing to do with what was there.
+    void forget();
 
     struct Wanted {
-        std::size_t fixture = 0; // of the show at the last update
+        std::uint64_t number = 0; // of changes of the show; 0: identify
+        std::size_t fixture = 0;  // of the show at the last update
         rdm::Change change;
-        std::string name; // of the fixture then
+        std::string name; // of the fixture, with what was wanted before
     };
     // What a desk wanted since the last call, identify as well.
     std::vector<Wanted> take();
     // Fixtures that identify themselves.
     std::set<std::size_t> identified() const;
     std::size_t devices() const;
-    std::uint64_t messages() const;
+    ui::RdmNow now() const;
 
 private:
+    // What was granted and is not in the show yet.
+    struct Pending {
+        std::uint64_t number = 0;
+        std::optional<std::uint16_t> address;
+        std::optional<std::uint8_t> personality;
+        std::optional<std::string> label;
+    };
+    struct Known {
+        std::size_t fixture = 0;
+        std::string name;
+    };
     std::optional<rdm::Nack> want(const rdm::Change& change);
+    std::optional<rdm::Nack> edit(const rdm::Change& change, const Known& fixture);
+    void drop_wanted();
+    bool is_free_name(const std::string& name) const;
+    void keep_uids(const scene::Show& show, std::vector<scene::RdmFixture>& all);
+    void add_pending(rdm::Device& device) const;
 
     mutable std::mutex mutex_;
     rdm::Node node_;
-    bool may_edit_;
-    std::map<rdm::Uid, Wanted> fixtures_; // without a change
+    ui::RdmAccess access_;
+    std::map<rdm::Uid, Known> fixtures_;
+    std::vector<std::string> names_;          // of the show's fixtures; empty: of the plot, which has ids
+    std::map<std::string, rdm::Uid> kept_;    // by name: whoever had another one when desks met it
+    std::map<std::string, rdm::Uid> by_name_; // at the last update
     std::set<rdm::Uid> identified_;
+    std::map<rdm::Uid, Pending> pending_;
     std::vector<Wanted> wanted_;
+    std::uint64_t number_ = 0, answered_ = 0, refused_ = 0;
 };
 
 // "address 1.23", "mode 'Long'", "label 'FOH'", "identify on": what a desk wants, of a fixture with these

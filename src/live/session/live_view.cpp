@@ -207,6 +207,14 @@ bool LiveView::take_maps(Report& report) {
     return replaced;
 }
 
+void LiveView::light_bodies(const std::set<std::size_t>& fixtures, float cd_m2) {
+    for (std::size_t i = 0; i < stage_.instances.size(); ++i) {
+        const int fixture = stage_.instances[i].fixture;
+        const bool shines = fixture != scene::kNone && fixtures.contains(static_cast<std::size_t>(fixture));
+        model_.set_glow(i, shines ? cd_m2 : 0.0f);
+    }
+}
+
 bool LiveView::follow(const scene::Rig& rig) {
     for (const std::size_t instance : moving_)
         model_.move(instance, scene::body_to_world(show_, rig, stage_.instances[instance]));

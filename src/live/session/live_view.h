@@ -21,6 +21,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -74,6 +75,9 @@ public:
     float work_light() const { return work_lux_; } // lux
     // For the next look_from. The distance maps of the lights that see it are made again in the background.
     void show(std::size_t instance, bool shown);
+    // The bodies of these fixtures, by index of the show, send out so much light beside what they reflect,
+    // and all others none. The picture shows it after follow().
+    void light_bodies(const std::set<std::size_t>& fixtures, float cd_m2);
     void set_material(std::size_t material, const scene::Material& values) {
         model_.set_material(material, values);
     }

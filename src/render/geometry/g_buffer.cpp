@@ -283,13 +283,13 @@ GBuffer::MovingPlan GBuffer::plan_moving(const StageModel& model) {
     for (const StageModel::MovingDraw& one : placed) {
         const PixelRect rect = pixels_of(one.corners_m, to_clip(axes), pose_.width, pose_.height);
         if (rect.empty()) continue;
-        shown[one.instance] = {one.draw.to_eye, rect};
+        const Shown& fresh = shown[one.instance] = {one.draw.to_eye, one.draw.glow_cd_m2, rect};
         const auto before = shown_.find(one.instance);
-        if (before == shown_.end() || before->second.to_eye != one.draw.to_eye) plan.tiles.add(rect);
+        if (before == shown_.end() || !before->second.looks_as(fresh)) plan.tiles.add(rect);
     }
     for (const auto& [instance, before] : shown_) {
         const auto now = shown.find(instance);
-        if (now == shown.end() || now->second.to_eye != before.to_eye) plan.tiles.add(before.rect);
+        if (now == shown.end() || !now->second.looks_as(before)) plan.tiles.add(before.rect);
     }
     shown_ = std::move(shown);
     for (const StageModel::MovingDraw& one : placed) {
@@ -359,6 +359,7 @@ void GBuffer::draw_meshes(const StageModel& model, std::span<const StageModel::D
         const glm::mat4 mesh_to_clip = eye_to_clip * draw.to_eye;
         for (int k = 0; k < 4; ++k) push.to_clip[k] = mesh_to_clip[k];
         for (int k = 0; k < 3; ++k) push.axis[k] = glm::vec3(draw.to_eye[k]);
+        push.glow = draw.glow_cd_m2;
         gpu::push_constants(commands_, *raster, &push, sizeof push);
         gpu::draw_triangles(commands_, model.range(draw));
     }

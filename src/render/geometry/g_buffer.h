@@ -96,7 +96,11 @@ private:
     // An instance as it was drawn last.
     struct Shown {
         glm::mat4 to_eye{1.0f};
+        float glow_cd_m2 = 0;
         PixelRect rect;
+        bool looks_as(const Shown& other) const {
+            return to_eye == other.to_eye && glow_cd_m2 == other.glow_cd_m2;
+        }
     };
     // What a pose is drawn to, and what its moving instances hide, in the tiles of saved_.
     struct Target {

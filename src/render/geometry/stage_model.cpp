@@ -249,6 +249,12 @@ void StageModel::move(std::size_t instance, const glm::mat4& world) {
     if (usable) moved.world = world;
 }
 
+void StageModel::set_glow(std::size_t instance, float cd_m2) {
+    CHECK(instance < instances_.size());
+    if (std::exchange(instances_[instance].glow_cd_m2, cd_m2) != cd_m2 && !instances_[instance].moving)
+        ++still_revision_;
+}
+
 void StageModel::set_material(std::size_t material, const scene::Material& values) {
     for (Surface& surface : surfaces_)
         if (surface.made_from == material) set_values(values, surface.material);
@@ -285,7 +291,7 @@ bool StageModel::place(const Instance& instance, const glm::vec3& eye_m, const s
     if (!instance.shown || !instance.usable) return false;
     const Mesh& mesh = meshes_[instance.mesh];
     if (mesh.range.index_count == 0) return false;
-    placed.draw = {instance.mesh, 0.0f, 0, instance.world};
+    placed.draw = {instance.mesh, 0.0f, 0, instance.world, instance.glow_cd_m2};
     placed.draw.to_eye[3] -= glm::vec4(eye_m, 0.0f);
     std::array<glm::vec3, 8>& corners = placed.corners_m;
     glm::vec3 centre(0.0f);

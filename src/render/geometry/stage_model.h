@@ -43,13 +43,15 @@ public:
     // instance: index into Stage::instances.
     void show(std::size_t instance, bool shown);
     void move(std::size_t instance, const glm::mat4& world);
+    // Light that it sends out in every direction, beside its material's.
+    void set_glow(std::size_t instance, float cd_m2);
     // material: index into Stage::materials. Its textures and its way of being transparent stay.
     void set_material(std::size_t material, const scene::Material& values);
     // Moving it is cheap from now on.
     void mark_moving(std::size_t instance);
     bool has_moving() const { return !moving_.empty(); }
-    // Another number whenever one of the other instances was hidden, shown, moved or marked, or a material
-    // changed.
+    // Another number whenever one of the other instances was hidden, shown, moved, lit or marked, or a
+    // material changed.
     std::uint64_t still_revision() const { return still_revision_; }
 
     std::uint64_t memory_bytes() const;  // on the device
@@ -62,6 +64,7 @@ public:
         float near_m = 0;       // of its nearest corner, about
         std::size_t level = 0;  // of detail, see range(); 0: all of it
         glm::mat4 to_eye{1.0f}; // from the mesh to the world, moved so that the eye is the origin
+        float glow_cd_m2 = 0;
     };
     // planes: of the view (normal inwards, offset), with the eye as origin. Without the moving ones. Opaque,
     // then masked, then blended; mesh after mesh and each nearest first. most_error_rad: surfaces may be off
@@ -113,6 +116,7 @@ private:
     struct Instance {
         glm::mat4 world{1.0f};
         std::size_t mesh = 0;
+        float glow_cd_m2 = 0;
         bool shown = true;
         bool usable = false;
         bool moving = false;

@@ -8,6 +8,7 @@
 #include "fixture/values.h"
 #include "fixture_files/load_type.h"
 #include "show/free_address.h"
+#include "show/names.h"
 #include "show_file/show_edit.h"
 #include "show_file/show_toml.h"
 
@@ -55,7 +56,7 @@ Look counted_anew(const Look& look, F&& f) {
 
 Result<void> PatchEdit::check() const {
     TRY_VOID(document_.check_editable());
-    if (app_.selection().empty()) return Error{"no fixture is selected", ""};
+    if (chosen().empty()) return Error{"no fixture is selected", ""};
     return {};
 }
 
@@ -71,14 +72,14 @@ template <class F>
 Result<void> PatchEdit::edit_each(const QString& what, F&& f) {
     TRY_VOID(check());
     std::vector<std::pair<scene::FixturePlace, scene::FixtureEdit>> edits;
-    for (const std::size_t index : app_.selection()) {
+    for (const std::size_t index : chosen()) {
         if (index >= fixtures().size()) continue;
         scene::FixtureEdit edit;
         TRY_VOID(f(fixtures()[index], edit));
         edits.emplace_back(scene::place_of(fixtures()[index], index), edit);
     }
     TRY(std::string text, scene::edit_fixtures(document_.text(), edits));
-    return document_.edit(what, {std::move(text), app_.look(), app_.selection()});
+    return document_.edit(what + by_, {std::move(text), app_.look(), app_.selection()});
 }
 
 Result<void> PatchEdit::set_address(fixture::Address from) {
@@ -97,12 +98,11 @@ Result<void> PatchEdit::set_address(fixture::Address from) {
 Result<void> PatchEdit::rename(const QString& name) {
     std::set<std::string> taken;
     for (std::size_t i = 0; i < (app_.show() ? fixtures().size() : 0); ++i)
-        if (!app_.selection().contains(i)) taken.insert(fixtures()[i].name);
+        if (!chosen().contains(i)) taken.insert(fixtures()[i].name);
     std::string next = name.trimmed().toStdString();
-    if (next.empty() || next.size() > 100 || next.front() == '.' ||
-        next.find_first_of("/\\:*?\"<>|") != std::string::npos)
+    if (!scene::is_good_name(next))
         return Error{"'" + next + "' is no name: 1 to 100 bytes, no leading dot, none of /\\:*?\"<>|", ""};
-    const bool several = app_.selection().size() > 1;
+    const bool several = chosen().size() > 1;
     if (!several && taken.contains(next)) return Error{"another fixture is called '" + next + "'", ""};
     return edit_each("Name", [&](const scene::PatchedFixture&, scene::FixtureEdit& edit) -> Result<void> {
         if (several) {

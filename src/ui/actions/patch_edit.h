@@ -9,6 +9,10 @@
 
 #include <QString>
 
+#include <optional>
+#include <set>
+#include <utility>
+
 namespace ghost::ui {
 
 // By its ending: a model of a stage.
@@ -17,6 +21,10 @@ bool is_model(const std::filesystem::path& file);
 class PatchEdit {
 public:
     PatchEdit(AppModel& app, ShowDocument& document) : app_(app), document_(document) {}
+    // The same for one fixture, selected or not, by somebody else: address, name and mode. by: " by RDM", for
+    // the undo list.
+    PatchEdit(AppModel& app, ShowDocument& document, std::size_t fixture, QString by)
+        : app_(app), document_(document), one_(std::set<std::size_t>{fixture}), by_(std::move(by)) {}
 
     // The first gets it, the others follow one behind the other, in the order of the show; channel 0: not
     // patched.
@@ -62,8 +70,12 @@ private:
     Result<std::string> beside_show(const std::filesystem::path& file, std::uintmax_t most_bytes) const;
     Result<void> set_file(const QString& what, const std::string& key, const std::filesystem::path& file);
 
+    const std::set<std::size_t>& chosen() const { return one_ ? *one_ : app_.selection(); }
+
     AppModel& app_;
     ShowDocument& document_;
+    std::optional<std::set<std::size_t>> one_; // instead of the selection
+    QString by_;
 };
 
 } // namespace ghost::ui

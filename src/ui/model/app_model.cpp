@@ -98,6 +98,11 @@ void AppModel::read_news() {
         bounce_ = *news;
         Q_EMIT bounce_came();
     }
+    if (auto news = link_.rdm.take()) {
+        rdm_ = std::move(*news);
+        Q_EMIT rdm_came();
+    }
+    for (const RdmWish& wish : link_.rdm_wishes.take()) Q_EMIT rdm_wished(wish);
     if (auto news = link_.probed.take(); news && request_.probe) {
         probed_ = std::move(*news);
         Q_EMIT probe_came();

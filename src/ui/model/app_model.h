@@ -45,6 +45,7 @@ public:
     const std::vector<Message>& messages() const { return messages_; }
     const std::string& activity() const { return activity_; }
     const BounceNow& bounce() const { return bounce_; }
+    const RdmNow& rdm() const { return rdm_; }
     const std::vector<float>& waveform() const { return waveform_; } // of the recording; empty: not known
     const std::optional<Probed>& probed() const { return probed_; }  // of the place that is wished for
     const Recorded& recorded() const { return recorded_; }           // the last one
@@ -150,6 +151,8 @@ Q_SIGNALS:
     void messages_came();
     void activity_came();
     void bounce_came();
+    void rdm_came();
+    void rdm_wished(const RdmWish& wish); // by a desk
     void probe_came();
     void picked_came();
     void waveform_came();
@@ -193,6 +196,7 @@ private:
     std::vector<Message> messages_;
     std::string activity_;
     BounceNow bounce_;
+    RdmNow rdm_;
     ReceivedPlot plot_;
     std::vector<NamedPicture> camera_pictures_;
     std::optional<Probed> probed_;

@@ -2,6 +2,7 @@
 #include "ui/panels/network_panel.h"
 
 #include "show/show.h"
+#include "ui/panels/rdm_box.h"
 #include "ui/widgets/theme.h"
 
 #include <QHeaderView>
@@ -130,7 +131,7 @@ void NetworkPanel::resizeEvent(QResizeEvent*) {
     halves_->setSizes({400, 600});
 }
 
-NetworkPanel::NetworkPanel(AppModel& app, QWidget* parent) : QWidget(parent), app_(app) {
+NetworkPanel::NetworkPanel(AppModel& app, Actions& actions, QWidget* parent) : QWidget(parent), app_(app) {
     diagnosis_ = new QLabel(this);
     diagnosis_->setWordWrap(true);
     diagnosis_->setTextFormat(Qt::RichText);
@@ -155,6 +156,7 @@ NetworkPanel::NetworkPanel(AppModel& app, QWidget* parent) : QWidget(parent), ap
     left_layout->setContentsMargins(0, 0, 0, 0);
     left_layout->addWidget(summary_);
     left_layout->addWidget(sources_);
+    left_layout->addWidget(new RdmBox(app, actions, left));
     auto* right = new QWidget(this);
     auto* right_layout = new QVBoxLayout(right);
     right_layout->setContentsMargins(0, 0, 0, 0);

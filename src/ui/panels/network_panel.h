@@ -1,8 +1,9 @@
 #pragma once
 // SPDX-License-Identifier: Apache-2.0
 // NetworkPanel: who sends what: what is wrong, in sentences; all sources with their rates and losses; the 512
-// values of one universe as a grid; how late the picture is. Window thread.
+// values of one universe as a grid; how late the picture is; RDM. Window thread.
 
+#include "ui/actions/actions.h"
 #include "ui/model/app_model.h"
 
 #include <QComboBox>
@@ -44,7 +45,7 @@ private:
 class NetworkPanel : public QWidget {
     Q_OBJECT
 public:
-    NetworkPanel(AppModel& app, QWidget* parent);
+    NetworkPanel(AppModel& app, Actions& actions, QWidget* parent);
 
 protected:
     void resizeEvent(QResizeEvent*) override;

@@ -26,8 +26,9 @@ struct WindowOptions {
     int width = 0;         // of the window; 0: as it was, or what fits the screen
     int height = 0;
     bool full_screen = false;
-    bool draws_into_memory = false; // nobody sees it; for measurements without a display
-    bool takes_desk = true;         // false: nothing listens to a desk, and the window does not promise it
+    bool draws_into_memory = false;    // nobody sees it; for measurements without a display
+    bool takes_desk = true;            // false: nothing listens to a desk, and the window does not promise it
+    RdmAccess rdm = RdmAccess::off;    // whether desks find the fixtures from the beginning
     web::Browsers* browsers = nullptr; // that the window switches on and off; null: it cannot
     // Starts what fills the link; what it returns is destroyed before the window is.
     std::function<std::shared_ptr<void>()> begin;

@@ -95,6 +95,7 @@ QJsonObject state_json(const AppModel& app, const View& view) {
         patch[QString::fromStdString(fixture.name)] =
             QJsonObject{{"universe", fixture.universe},
                         {"address", fixture.address},
+                        {"mode", fixture.mode},
                         {"position_m", array_of(fixture.position_m)}};
     QJsonObject lamps;
     for (std::size_t i = 0; i < std::min(app.rig().fixtures.size(), show.fixtures.size()); ++i)
@@ -137,6 +138,18 @@ QJsonObject state_json(const AppModel& app, const View& view) {
     if (const std::optional<Explained>& one = app.hovered(); one && one->fixture < show.fixtures.size())
         hovered = {{"name", QString::fromStdString(show.fixtures[one->fixture].name)},
                    {"why", QString::fromStdString(one->explanation.verdict)}};
+    QJsonArray identify;
+    int found = 0;
+    for (const RdmHead& head : app.rdm().heads) {
+        found += head.is_found ? 1 : 0;
+        if (head.identifies && head.fixture < show.fixtures.size())
+            identify.append(QString::fromStdString(show.fixtures[head.fixture].name));
+    }
+    const QJsonObject rdm{{"access", kRdmAccess[static_cast<int>(app.rdm().access)]},
+                          {"heads", static_cast<int>(app.rdm().heads.size())},
+                          {"found", found},
+                          {"messages", static_cast<qint64>(app.rdm().messages)},
+                          {"identify", identify}};
     QJsonArray palettes;
     for (const scene::Palette& palette : show.palettes) palettes.append(QString::fromStdString(palette.name));
     QJsonArray diagnosis;
@@ -174,6 +187,8 @@ QJsonObject state_json(const AppModel& app, const View& view) {
             {"picture", of_picture},
             {"probe", probe},
             {"bounce", of_bounce},
+            {"rdm", rdm},
+            {"undo", app.undo_stack().undoText()},
             {"saved", static_cast<qint64>(app.saved())},
             {"packet_to_window_ms", latency_json(app.latency())},
             {"window_ms", latency_json(app.window_cost())},

@@ -116,6 +116,10 @@ Window::Window(Link& link, const WindowOptions& options)
     add_show_actions(actions_, app_, document_, options_.docs, *this);
     add_selection_actions(actions_, app_);
     add_plot_actions(actions_, app_, document_, plot_report_);
+    add_rdm_action(actions_, *rdm_);
+    rdm_->complain = actions_.complain;
+    rdm_->on_done = [this](const QString& what) { toast_->say(what, [this] { actions_.choose("undo"); }); };
+    rdm_->set_access(options_.rdm);
     connect(&plot_report_, &PlotReport::changed, this, &Window::show_plot_page);
     new FocusGuide(view_);
     menus_.fill(*menuBar());
@@ -278,7 +282,7 @@ void Window::add_panels() {
     tabifyDockWidget(hand, scene);
     hand->raise();
     QDockWidget* network =
-        add_panel("network", "Network", new NetworkPanel(app_, this), Qt::BottomDockWidgetArea);
+        add_panel("network", "Network", new NetworkPanel(app_, actions_, this), Qt::BottomDockWidgetArea);
     QDockWidget* messages =
         add_panel("messages", "Messages", new MessagePanel(app_, this), Qt::BottomDockWidgetArea);
     tabifyDockWidget(network, messages);

@@ -19,6 +19,7 @@
 #include "ui/window/context_menus.h"
 #include "ui/window/menus.h"
 #include "ui/window/open_window.h"
+#include "ui/window/rdm_edits.h"
 #include "ui/window/second_display.h"
 
 #include <QDockWidget>
@@ -85,6 +86,7 @@ private:
     CueList cues_;
     PaletteList palettes_;
     Exporter exporter_;
+    RdmEdits* const rdm_ = new RdmEdits(app_, document_, this);
     SecondDisplay second_;
     OnScreen reach_;
     Actions actions_;

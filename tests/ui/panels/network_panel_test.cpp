@@ -9,7 +9,9 @@ namespace {
 
 TEST(NetworkPanel, a_narrow_one_has_its_halves_one_above_the_other) {
     Bench bench;
-    NetworkPanel panel(bench.app, nullptr);
+    QWidget window;
+    Actions actions(window);
+    NetworkPanel panel(bench.app, actions, nullptr);
     panel.resize(1200, 400);
     panel.show();
     settle();

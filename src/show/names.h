@@ -1,0 +1,15 @@
+#pragma once
+// SPDX-License-Identifier: Apache-2.0
+// Names of what a show has: they become names of folders and files. Pure.
+
+#include <cstddef>
+#include <string_view>
+
+namespace ghost::scene {
+
+inline constexpr std::size_t kMostNameBytes = 100;
+
+// 1 to kMostNameBytes bytes, no leading dot, none of /\:*?"<>|.
+bool is_good_name(std::string_view name);
+
+} // namespace ghost::scene
