@@ -295,6 +295,7 @@ void Window::add_panels() {
         air->show();
         air->raise();
     });
+    connect(scene_panel, &ScenePanel::asks_for, this, [this](const QString& line) { actions_.choose(line); });
     connect(scene_panel, &ScenePanel::asks_to_hang, this, [this](std::size_t object) {
         if (const Result<void> done = hang_under(app_, document_, object); !done.ok())
             actions_.complain(done.error());
