@@ -13,7 +13,7 @@
 namespace ghost::ui {
 namespace {
 
-constexpr double kReach_px = 14;
+constexpr double kHandleReach_px = 14;
 constexpr int kSteps = 64;           // of a way
 constexpr float kFarthest_m = 30;    // of a way from where it is, that is drawn
 constexpr float kMostTurn_deg = 180; // likewise
@@ -116,8 +116,16 @@ bool is_axis(const MoverScene& scene, const MoverHandle& handle) {
     return handle.mover < movers.size() && handle.axis < movers[handle.mover].axes.size();
 }
 
-float value_now(const MoverScene& scene, const MoverHandle& handle, Values which) {
-    return static_cast<float>(values_of(scene, handle.mover, which)[handle.axis]);
+float value_now(const MoverScene& scene, const MoverHandle& handle) {
+    return static_cast<float>(values_of(scene, handle.mover, &MoverNow::values)[handle.axis]);
+}
+
+// home_m: of the handle, which is not cheap to find.
+glm::vec3 place_m(const MoverScene& scene, const MoverHandle& handle, const glm::vec3& home_m, float value) {
+    std::vector<double> own = values_of(scene, handle.mover, &MoverNow::values);
+    own[handle.axis] = static_cast<double>(value);
+    return glm::vec3(moved(scene, handle.mover, own, &MoverNow::values) *
+                     glm::dvec4(glm::dvec3(home_m), 1.0));
 }
 
 // What of the way between the end stops is drawn and dragged along.
@@ -158,14 +166,16 @@ void paint_stop(QPainter& painter, const QPointF& at, const QPointF& beside, con
 
 void paint_way(QPainter& painter, const MoverScene& scene, const MoverHandle& handle, bool is_hot) {
     const scene::MoverAxis& axis = scene.opened.show->movers[handle.mover].axes[handle.axis];
-    const Reach reach = reach_about(axis, value_now(scene, handle, &MoverNow::values),
-                                    axis.is_angle ? kMostTurn_deg : kFarthest_m);
+    const Reach reach =
+        reach_about(axis, value_now(scene, handle), axis.is_angle ? kMostTurn_deg : kFarthest_m);
     const QColor colour = is_hot ? accent() : QColor(205, 205, 205, 170);
+    const glm::vec3 home_m = home_of(scene, handle);
     std::vector<std::optional<QPointF>> places;
     for (int k = 0; k <= kSteps; ++k)
-        places.push_back(to_widget(
-            scene.picture, scene.camera,
-            handle_at_m(scene, handle, std::lerp(reach.low, reach.high, static_cast<float>(k) / kSteps))));
+        places.push_back(
+            to_widget(scene.picture, scene.camera,
+                      place_m(scene, handle, home_m,
+                              std::lerp(reach.low, reach.high, static_cast<float>(k) / kSteps))));
     for (std::size_t k = 0; k + 1 < places.size(); ++k)
         if (places[k] && places[k + 1])
             paint_line(painter, *places[k], *places[k + 1], colour, Qt::SolidLine);
@@ -177,8 +187,8 @@ void paint_way(QPainter& painter, const MoverScene& scene, const MoverHandle& ha
     };
     stop(places.front(), places[1], reach.low, axis.low);
     stop(places.back(), places[places.size() - 2], reach.high, axis.high);
-    const auto at = to_widget(scene.picture, scene.camera,
-                              handle_at_m(scene, handle, value_now(scene, handle, &MoverNow::values)));
+    const auto at =
+        to_widget(scene.picture, scene.camera, place_m(scene, handle, home_m, value_now(scene, handle)));
     if (!at) return;
     constexpr double kHalf_px = 6;
     const QPointF diamond[] = {*at + QPointF(0, -kHalf_px), *at + QPointF(kHalf_px, 0),
@@ -230,18 +240,15 @@ void paint_ghost(QPainter& painter, const MoverScene& scene, std::size_t mover) 
 } // namespace
 
 glm::vec3 handle_at_m(const MoverScene& scene, const MoverHandle& handle, float value) {
-    std::vector<double> own = values_of(scene, handle.mover, &MoverNow::values);
-    own[handle.axis] = static_cast<double>(value);
-    const glm::dvec4 home(glm::dvec3(home_of(scene, handle)), 1.0);
-    return glm::vec3(moved(scene, handle.mover, own, &MoverNow::values) * home);
+    return place_m(scene, handle, home_of(scene, handle), value);
 }
 
 std::optional<MoverHandle> handle_at(const MoverScene& scene, const QPointF& place) {
     std::optional<MoverHandle> nearest;
-    double nearest_px = kReach_px;
+    double nearest_px = kHandleReach_px;
     for_each_axis(scene, [&](const MoverHandle& handle, const scene::MoverAxis&) {
-        const auto at = to_widget(scene.picture, scene.camera,
-                                  handle_at_m(scene, handle, value_now(scene, handle, &MoverNow::values)));
+        const auto at =
+            to_widget(scene.picture, scene.camera, handle_at_m(scene, handle, value_now(scene, handle)));
         if (!at || QLineF(*at, place).length() >= nearest_px) return;
         nearest_px = QLineF(*at, place).length();
         nearest = handle;
@@ -253,13 +260,14 @@ float dragged_value(const MoverScene& scene, const MoverHandle& handle, const QP
     if (!is_axis(scene, handle)) return near;
     const scene::MoverAxis& axis = scene.opened.show->movers[handle.mover].axes[handle.axis];
     const Reach reach = reach_about(axis, near, axis.is_angle ? kNextTurn_deg : kFarthest_m);
+    const glm::vec3 home_m = home_of(scene, handle);
     float value = near;
     double nearest_px = INFINITY;
     std::optional<QPointF> before;
     for (int k = 0; k <= kSteps; ++k) {
         const float share = static_cast<float>(k) / kSteps;
         const auto at = to_widget(scene.picture, scene.camera,
-                                  handle_at_m(scene, handle, std::lerp(reach.low, reach.high, share)));
+                                  place_m(scene, handle, home_m, std::lerp(reach.low, reach.high, share)));
         if (at && before) {
             // The nearest place of the piece of way.
             const QPointF way = *at - *before, from = place - *before;

@@ -401,10 +401,10 @@ void Window::begin_where_there_is_light() {
 
 // What else would show nothing.
 void Window::say_done(const Action& action) {
-    static const std::set<QString> kSays{"keep-camera",   "hang",           "duplicate",       "remove",
-                                         "unpatch",       "distribute",     "add-fixture",     "add-model",
-                                         "set-stage",     "substitute",     "substitute-same", "move-object",
-                                         "palette-store", "palette-remove", "cue-add"};
+    static const std::set<QString> kSays{
+        "keep-camera",   "hang",           "duplicate", "remove",        "unpatch",         "distribute",
+        "add-fixture",   "add-model",      "set-stage", "substitute",    "substitute-same", "move-object",
+        "palette-store", "palette-remove", "cue-add",   "fly-on-hoists", "mover-address"};
     if (action.name == "save")
         toast_->say("Saved: " + QString::fromStdString(app_.show()->file.filename().string()));
     else if (kSays.contains(action.name))
