@@ -10,8 +10,8 @@
 namespace ghost::scene {
 namespace {
 
-const std::string kHead = "[show]\nstage = \"s.glb\" # mine\n[[camera]]\nposition_m = [0, -9, 2]\n"
-                          "target_m = [0, 0, 2]\n";
+const std::string kShowHead = "[show]\nstage = \"s.glb\" # mine\n[[camera]]\nposition_m = [0, -9, 2]\n"
+                              "target_m = [0, 0, 2]\n";
 
 Mover truss() {
     Mover mover;
@@ -37,8 +37,8 @@ std::vector<Mover> movers_in(const std::string& text) {
 }
 
 TEST(MoverEdit, what_is_added_is_read_as_it_was_meant) {
-    const std::string text = must(add_mover(kHead, truss()));
-    EXPECT_TRUE(text.starts_with(kHead));
+    const std::string text = must(add_mover(kShowHead, truss()));
+    EXPECT_TRUE(text.starts_with(kShowHead));
     const std::vector<Mover> movers = movers_in(text);
     ASSERT_EQ(movers.size(), 1u);
     EXPECT_EQ(movers[0].name, "Front \"truss\"");
@@ -53,7 +53,7 @@ TEST(MoverEdit, what_is_added_is_read_as_it_was_meant) {
 }
 
 TEST(MoverEdit, channels_of_all_axes_follow_the_first) {
-    const std::string before = must(add_mover(kHead, truss()));
+    const std::string before = must(add_mover(kShowHead, truss()));
     const std::string text = must(set_mover_address(before, truss(), {4, 101}, 24));
     const std::vector<Mover> movers = movers_in(text);
     ASSERT_EQ(movers[0].axes[1].levels.size(), 3u);
@@ -64,7 +64,7 @@ TEST(MoverEdit, channels_of_all_axes_follow_the_first) {
 }
 
 TEST(MoverEdit, what_cannot_be_is_said_and_changes_nothing) {
-    const std::string text = must(add_mover(kHead, truss()));
+    const std::string text = must(add_mover(kShowHead, truss()));
     const auto past = set_mover_address(text, truss(), {1, 510}, 16);
     ASSERT_FALSE(past.ok());
     EXPECT_NE(past.error().what.find("would end at channel 513"), std::string::npos);
