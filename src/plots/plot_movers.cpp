@@ -165,7 +165,7 @@ Result<std::string> imported_movers(const Show& opened, const fs::path& plot_fil
         movers += "\n" + changed.text().substr(span.begin, span.end - span.begin);
         if (movers.back() != '\n') movers += '\n';
     }
-    report.add(Severity::note, file.string(), std::to_string(count) + " movers are taken into the show");
+    report.add(Severity::note, file.string(), std::to_string(count) + " [[mover]] taken into the show");
     return movers;
 }
 

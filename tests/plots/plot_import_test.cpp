@@ -391,7 +391,7 @@ TEST(ExportPlot, MoversAreKeptBesideItAndFindTheirLoadByUuid) {
     fs::copy_file(folder / "out.movers.toml", folder / "renamed.movers.toml");
     Report taken;
     ASSERT_TRUE(imported_into(folder / "renamed.mvr", folder / "second", taken).ok());
-    EXPECT_TRUE(says(taken, {"1 movers are taken into the show"})) << messages_of(taken);
+    EXPECT_TRUE(says(taken, {"1 [[mover]] taken into the show"})) << messages_of(taken);
     EXPECT_TRUE(says(taken, {"no more of what its movers carry", "Wash"})) << messages_of(taken);
     const std::string second = must(read_text_file(folder / "second" / "show.toml", 1 << 20));
     EXPECT_NE(second.find("fixtures = [\"Key light\", \"Wa*\"] # both"), std::string::npos) << second;

@@ -20,8 +20,12 @@ struct TrussDesk : Desk {
     TrussDesk() {
         open();
         add_hang_action(actions, app, document);
+        put_objects(false);
+    }
+    // Again after each edit, for the engine of a Desk knows no stage.
+    void put_objects(bool is_edit) {
         Opened opened = app.opened();
-        opened.is_edit = false;
+        opened.is_edit = is_edit;
         const auto add = [&](const char* name, const scene::Bar& bar) {
             Object object;
             object.name = name;
@@ -63,6 +67,7 @@ TEST(Movers, a_truss_flies_on_two_hoists_with_what_hangs_under_it) {
     ASSERT_EQ(truss.axes[1].levels.size(), 2u);
     EXPECT_EQ(truss.axes[1].levels[0].channel, 51)
         << "behind 48 channels of lamps, and two of the other hoist";
+    desk.put_objects(true);
     ASSERT_EQ(desk.complaint("fly-on-hoists back"), "");
     EXPECT_EQ(desk.app.show()->movers[1].axes[0].levels[0].channel, 53) << "behind the other truss";
     desk.app.undo_stack().undo();
@@ -176,16 +181,16 @@ TEST(Movers, a_handle_drags_its_hoist_along_its_way_and_stops_at_the_end_stop) {
 
 TEST(Movers, a_ghost_is_where_the_truss_goes_until_it_is_there) {
     Flying stage;
+    stage.view.overlays.movers = false;
+    const int without = stage.marked();
+    stage.view.overlays.movers = true;
     const int rests = stage.marked();
-    EXPECT_GT(rests, 50) << "ways, end stops and handles";
+    EXPECT_GT(rests, without + 50) << "ways, end stops and handles";
     stage.is_at({-0.5f, -0.5f}, {-2, -2});
     const int goes = stage.marked();
     EXPECT_GT(goes, rests + 100);
     stage.is_at({-2, -2}, {-2, -2});
-    EXPECT_LT(stage.marked(), rests + 60);
-    stage.view.overlays.movers = false;
-    stage.view.update();
-    EXPECT_LT(stage.marked(), 20);
+    EXPECT_LT(stage.marked(), rests + 80) << "it is there";
 }
 
 TEST(Movers, keys_drive_what_carries_the_selection_all_hoists_alike) {
