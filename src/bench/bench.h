@@ -77,6 +77,8 @@ Result<void> bench_network(const BenchOptions& options, const BenchSink& sink);
 Result<void> network_soak(double seconds, std::uint16_t port, const BenchSink& sink);
 // Recordings: bytes for an hour of a universe, time to open and to seek.
 Result<void> bench_recording(const BenchOptions& options, const BenchSink& sink);
+// Rigs that travel: a truss that flies against one at rest, passes of two places against one between them.
+Result<void> bench_kinetic(const BenchOptions& options, const BenchSink& sink);
 // Bounced light: what it takes, and how near it is to particles.
 Result<void> bench_bounce(const BenchOptions& options, const BenchSink& sink);
 // From nothing to the first picture, and the memory it takes.
@@ -87,6 +89,8 @@ Result<void> bench_start(const BenchOptions& options, const BenchSink& sink);
 std::filesystem::path bench_file(const std::string& ending);
 inline constexpr int kPaperPictureWidth = 1024, kPaperPictureHeight = 300; // pixels
 double median(std::vector<double> values);
+// As displays show them whose white is near what three quarters of the reference stay below.
+double display_db(const image::ImageF& test, const image::ImageF& reference);
 // GPU time of the passes of a name.
 double span_ms(const render::FrameStatistics& frame, const std::string& name);
 // Of the passes for haze, whichever integrator.

@@ -8,7 +8,6 @@
 
 #include "base/steady_time.h"
 #include "gpu/pipelines.h"
-#include "image/metrics.h"
 #include "show/camera_moves.h"
 
 #include <algorithm>
@@ -89,11 +88,6 @@ void use(Session& session, const Film& film, bool moves) {
     session.use_coarse_light(moves && film.coarse);
     session.relighter->set_quality(quality);
     session.relighter->set_most_lights(moves ? film.most_lights : 0);
-}
-
-double display_db(const image::ImageF& test, const image::ImageF& reference) {
-    const auto pair = image::pair_up(test, reference, {});
-    return pair.ok() ? image::psnr_db(*pair, image::p75_curve(*pair)) : 0;
 }
 
 // Means, for a film is as long as all its frames together.

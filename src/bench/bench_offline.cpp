@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Tables of what happens before the first frame: baking and how right it is, geometry, start-up.
 #include "bench/bench.h"
+#include "bench/temporary_folder.h"
 
 #include "bake/bake_show.h"
 #include "base/steady_time.h"
@@ -26,26 +27,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
-
-// A folder that goes with its owner.
-struct TemporaryFolder {
-    fs::path path;
-    TemporaryFolder() {
-        std::error_code code;
-        std::string name = (fs::temp_directory_path(code) / "ghostlight-bench-XXXXXX").string();
-        if (!code && ::mkdtemp(name.data())) path = name;
-    }
-    ~TemporaryFolder() {
-        std::error_code ignored;
-        if (!path.empty()) fs::remove_all(path, ignored);
-    }
-    Result<void> made() const {
-        if (path.empty()) return Error{"cannot make a folder for the measurement", "TMPDIR"};
-        return {};
-    }
-    TemporaryFolder(const TemporaryFolder&) = delete;
-    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-};
 
 // A bumpy floor of about so many triangles.
 scene::Stage bumpy_floor(int triangles) {

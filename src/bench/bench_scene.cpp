@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "bench/bench.h"
 
+#include "image/metrics.h"
 #include "photometry/photometry.h"
 
 #include <algorithm>
@@ -28,6 +29,11 @@ double median(std::vector<double> values) {
     if (values.empty()) return 0;
     std::sort(values.begin(), values.end());
     return values[values.size() / 2];
+}
+
+double display_db(const image::ImageF& test, const image::ImageF& reference) {
+    const auto pair = image::pair_up(test, reference, {});
+    return pair.ok() ? image::psnr_db(*pair, image::p75_curve(*pair)) : 0;
 }
 
 double span_ms(const render::FrameStatistics& frame, const std::string& name) {

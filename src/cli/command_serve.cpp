@@ -130,6 +130,7 @@ private:
         const scene::StoredLook& stored = (*looks_)[*index];
         from_ = request_.look;
         look_.fixtures = scene::programmer_of(stored, *show_);
+        look_.movers = scene::movers_of(stored, *show_);
         look_.scene = stored.scene;
         fade_s_ = call.seconds < 0 ? static_cast<double>(stored.fade_s) : call.seconds;
         fade_begin_s_ = steady_now_s();

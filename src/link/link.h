@@ -8,6 +8,7 @@
 #include "base/signal.h"
 #include "diagnose/explain.h"
 #include "dmx/receive/receiver.h"
+#include "fixture/motion.h"
 #include "image/false_colour.h"
 #include "image/image.h"
 #include "image/tone.h"
@@ -100,6 +101,7 @@ struct ViewRequest {
     Look look;
     bool black_out = false;
     bool frozen = false; // time stands still: nothing turns, strobes or drifts; hands act at once
+    std::optional<fixture::Motion> motion; // of heads and movers; nothing: the show's
     float master = 1;
     Input input = Input::automatic;
     Transport transport;
@@ -132,6 +134,8 @@ struct Object {
     glm::vec3 centre_m{0};
     float radius_m = 1;
     std::optional<scene::Bar> bar; // where it lies, so that things can hang under it
+    glm::vec3 half_size_m{0};      // of its upright box about centre_m
+    int mover = -1;                // that carries it (show/movers.h); -1: none
     std::string layer;             // of the plot that has it; "": of none
 };
 
@@ -201,6 +205,13 @@ struct FixtureNow {
     fixture::Programmer asked; // what desk or recording ask for, as values that a hand could set
 };
 
+// Values of the axes of a mover, metres or degrees.
+struct MoverNow {
+    std::vector<float> values; // where it is
+    std::vector<float> goals;  // where it goes, between its end stops
+    std::vector<float> asked;  // likewise, if no hand held it
+};
+
 struct RigNow {
     std::vector<FixtureNow> fixtures;
     dmx::Universes universes;
@@ -209,7 +220,7 @@ struct RigNow {
     double recording_s = 0; // its length; 0: there is none
     double recorded_s = -1; // of the recording that is made; below 0: none is
     std::string timecode;   // what is to be said of the time code that is followed; "": nothing
-    std::vector<std::vector<float>> movers; // values of the axes of each
+    std::vector<MoverNow> movers;
 };
 
 struct Explained {

@@ -6,6 +6,7 @@
 #include "fixture/values.h"
 #include "mvr/mvr_write.h"
 #include "plots/plot_changes.h"
+#include "plots/plot_movers.h"
 #include "plots/plot_stage.h"
 #include "show_file/show_toml.h"
 
@@ -46,9 +47,10 @@ Result<ExportedPlot> export_plot(const fs::path& show, const fs::path& output, c
     std::error_code code;
     fs::path plot_file = show;
     ParsedShow parsed;
+    std::string text;
     if (fs::is_directory(show, code) || lower(show.extension().string()) == ".toml") {
         const fs::path file = fs::is_directory(show, code) ? show / "show.toml" : show;
-        TRY(const std::string text, read_text_file(file, kMaxShowBytes));
+        TRY(text, read_text_file(file, kMaxShowBytes));
         TRY(parsed, parse_show(text, file, report));
         plot_file = parsed.show.plot_file;
         if (plot_file.empty())
@@ -61,6 +63,11 @@ Result<ExportedPlot> export_plot(const fs::path& show, const fs::path& output, c
     add_messages(loaded.report, report);
     const std::vector<PlotChange> changes = changes_of(loaded.plot, parsed.changes);
     TRY_VOID(write_mvr(loaded, changes, output, report));
+    if (!text.empty()) {
+        Plot changed = loaded.plot;
+        for (const PlotChange& change : changes) apply_change(changed, change);
+        TRY_VOID(export_movers(text, changed, output, report));
+    }
     ExportedPlot exported{loaded.plot.objects.size(), loaded.archive.names().size(), 0};
     const ObjectIndex index(loaded.plot);
     for (const PlotChange& change : changes)

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // export_plot: the plot of a show as MVR, with what the show changes in it: addresses, modes, places, names
 // ([[change]] of show.toml). All else of the plot is written as it was (mvr_write.h). What MVR or the plot
-// has no place for (own fixtures of the show, substitutes, what is hidden) is said. An .mvr alone has no
-// changes.
+// has no place for (own fixtures of the show, substitutes, what is hidden) is said, movers are kept in a file
+// beside it (plot_movers.h). An .mvr alone has no changes.
 
 #include "base/result.h"
 #include "mvr/mvr_load.h"

@@ -6,6 +6,7 @@
 #include "disk/user_file.h"
 #include "mvr/mvr_load.h"
 #include "plots/plot_changes.h"
+#include "plots/plot_movers.h"
 #include "plots/plot_stage.h"
 #include "show_file/show_toml.h"
 
@@ -161,6 +162,7 @@ Result<ImportedPlot> import_plot(const Show& opened, const fs::path& folder, Rep
     imported.cameras = opened.cameras.size();
     std::error_code code;
     const bool is_new = !fs::exists(imported.show_file, code);
+    TRY(const std::string movers, is_new ? imported_movers(opened, plot, report) : std::string());
     if (!is_new) {
         TRY_VOID(merge_into(imported.show_file, opened, report, imported));
     }
@@ -181,7 +183,8 @@ Result<ImportedPlot> import_plot(const Show& opened, const fs::path& folder, Rep
     }
     if (is_new) {
         TRY_VOID(write_file_atomic(
-            imported.show_file, std::string_view(show_text(opened, imported.plot_file.filename().string()))));
+            imported.show_file,
+            std::string_view(show_text(opened, imported.plot_file.filename().string()) + movers)));
     }
     return imported;
 }

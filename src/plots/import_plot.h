@@ -1,9 +1,10 @@
 #pragma once
 // SPDX-License-Identifier: Apache-2.0
 // import_plot: a show folder from an .mvr: a copy of the plot and a show.toml with cameras and haze that fit
-// it. Where the folder has a show with a plot, the new version takes the old one's place and show.toml stays
-// as it is: what the user changed is found again by UUID, and what became of it is reported. Files are
-// replaced whole or not at all, show.toml and plot each. Main thread.
+// it, and the movers of a file beside it (plot_movers.h). Where the folder has a show with a plot, the new
+// version takes the old one's place and show.toml stays as it is: what the user changed is found again by
+// UUID, and what became of it is reported. Files are replaced whole or not at all, show.toml and plot each.
+// Main thread.
 
 #include "base/report.h"
 #include "base/result.h"

@@ -54,6 +54,20 @@ read_fixture(const toml::table& table, const std::string& file, Report& report) 
     return std::pair{*name, programmer};
 }
 
+std::optional<std::pair<std::string, std::vector<float>>>
+read_mover(const toml::table& table, const std::string& file, Report& report) {
+    TableReader reader(table, "[[look.mover]]", file, report);
+    const auto name = reader.text("name");
+    if (!reader.has("name")) reader.missing("name", "that of a mover of the show");
+    const toml::array* const list = table["values"].as_array();
+    const std::size_t count = std::clamp(list ? list->size() : 0, std::size_t{1}, kMostMoverAxes);
+    const auto values = reader.numbers("values", count, -kMost_deg, kMost_deg);
+    if (!reader.has("values")) reader.missing("values", "a number for each axis, in metres or degrees");
+    reader.finish();
+    if (!name || !values) return std::nullopt;
+    return std::pair{*name, std::vector<float>(values->begin(), values->end())};
+}
+
 std::optional<StoredLook> read_look(const toml::table& table, const std::string& file, Report& report) {
     TableReader reader(table, "[[look]]", file, report);
     StoredLook look;
@@ -78,6 +92,12 @@ std::optional<StoredLook> read_look(const toml::table& table, const std::string&
         if (!look.fixtures.insert(std::move(*one)).second)
             report.add(Severity::error, file_line(file, static_cast<int>(fixture->source().begin.line)),
                        "[[look.fixture]] name is there twice in the look '" + look.name + "'");
+    }
+    for (const toml::table* mover : reader.tables("mover", kMostMovers)) {
+        auto one = read_mover(*mover, file, report);
+        if (one && !look.movers.insert(std::move(*one)).second)
+            report.add(Severity::error, file_line(file, static_cast<int>(mover->source().begin.line)),
+                       "[[look.mover]] name is there twice in the look '" + look.name + "'");
     }
     reader.finish();
     if (!name || !good_name.ok()) return std::nullopt;
@@ -196,6 +216,12 @@ std::string text_of(const std::vector<StoredLook>& looks) {
             lines.add("levels", programmer.levels);
             lines.add("channels", programmer.channels);
         }
+        for (const auto& [name, values] : look.movers) {
+            lines.text += "\n[[look.mover]]\nname = " + toml_text(name) + "\nvalues = [";
+            for (std::size_t k = 0; k < values.size(); ++k)
+                lines.text += (k > 0 ? ", " : "") + toml_text(values[k]);
+            lines.text += "]\n";
+        }
     }
     return lines.text;
 }
@@ -228,6 +254,15 @@ std::map<std::size_t, fixture::Programmer> programmer_of(const StoredLook& look,
     return programmer;
 }
 
+std::map<std::size_t, std::vector<float>> movers_of(const StoredLook& look, const Show& show) {
+    std::map<std::size_t, std::vector<float>> movers;
+    for (std::size_t i = 0; i < show.movers.size(); ++i)
+        if (const auto found = look.movers.find(show.movers[i].name);
+            found != look.movers.end() && found->second.size() == show.movers[i].axes.size())
+            movers[i] = found->second;
+    return movers;
+}
+
 void check_look(const StoredLook& look, const Show& show, const std::string& file, Report& report) {
     std::vector<std::string> missing;
     for (const auto& [name, programmer] : look.fixtures)
@@ -237,6 +272,18 @@ void check_look(const StoredLook& look, const Show& show, const std::string& fil
         report.add(Severity::warning, file,
                    "look '" + look.name +
                        "' has values for fixtures that the show does not have: " + name_list(missing));
+    std::vector<std::string> strange;
+    const auto movers = movers_of(look, show);
+    for (const auto& [name, values] : look.movers)
+        if (std::none_of(movers.begin(), movers.end(), [&, &called = name](const auto& one) {
+                return show.movers[one.first].name == called;
+            }))
+            strange.push_back(name);
+    if (!strange.empty())
+        report.add(Severity::warning, file,
+                   "look '" + look.name +
+                       "' has values for movers that the show does not have, or not with as many axes: " +
+                       name_list(strange));
     std::vector<std::string> others;
     for (const PatchedFixture& fixture : show.fixtures)
         if (const auto found = look.fixtures.find(fixture.name);

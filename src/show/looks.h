@@ -1,8 +1,8 @@
 #pragma once
 // SPDX-License-Identifier: Apache-2.0
 // Looks: what hands set, kept under a name in a file beside the show (looks.toml, docs/guide/window.md):
-// values of fixtures, air and even light. Fixtures go by name, so a look outlives edits of the patch.
-// Degrees, seconds, lux; colours linear Rec.2020. Values; any thread.
+// values of fixtures, air, even light and movers. Fixtures and movers go by name, so a look outlives edits of
+// the patch. Metres, degrees, seconds, lux; colours linear Rec.2020. Values; any thread.
 
 #include "base/report.h"
 #include "base/result.h"
@@ -40,6 +40,7 @@ struct StoredLook {
     float fade_s = 0; // of the crossfade when it is recalled
     SceneLook scene;
     std::map<std::string, fixture::Programmer> fixtures; // by name
+    std::map<std::string, std::vector<float>> movers;    // by name: values of all their axes
 
     bool operator==(const StoredLook&) const = default;
 };
@@ -62,8 +63,10 @@ Result<std::size_t> find_look(const std::vector<StoredLook>& looks, const std::s
 // Of the fixtures that the show has, by index; levels whose number is not that of the fixture's mode are left
 // out.
 std::map<std::size_t, fixture::Programmer> programmer_of(const StoredLook& look, const Show& show);
-// A warning where the look has values for fixtures that the show has not, or levels of another mode. file:
-// that the look is from.
+// Of the movers that the show has, with as many axes, by index.
+std::map<std::size_t, std::vector<float>> movers_of(const StoredLook& look, const Show& show);
+// A warning where the look has values for fixtures or movers that the show has not, or levels of another
+// mode. file: that the look is from.
 void check_look(const StoredLook& look, const Show& show, const std::string& file, Report& report);
 
 } // namespace ghost::scene

@@ -30,6 +30,11 @@ bool is_near(const glm::vec3& place_m) {
     return std::abs(place_m.x) <= limit && std::abs(place_m.y) <= limit && std::abs(place_m.z) <= limit;
 }
 
+// Where its end stops let it go.
+double stopped(const MoverAxis& axis, double asked) {
+    return std::clamp(asked, static_cast<double>(axis.low), static_cast<double>(axis.high));
+}
+
 // Raw value of a channel as a fraction of its range.
 double level_of(const std::vector<fixture::Address>& levels, const dmx::Universes& universes) {
     double value = 0, most = 0;
@@ -48,6 +53,7 @@ MoverMotion::MoverMotion(const std::vector<Mover>& movers)
     for (std::size_t k = 0; k < movers.size(); ++k) {
         states_[k].motors.resize(movers[k].axes.size());
         states_[k].asked.resize(movers[k].axes.size());
+        states_[k].by_others.resize(movers[k].axes.size());
     }
 }
 
@@ -68,10 +74,27 @@ std::vector<float> MoverMotion::values(std::size_t mover) const {
     return values;
 }
 
+std::vector<float> MoverMotion::goals(std::size_t mover) const {
+    return between_stops(mover, states_[mover].asked);
+}
+
+std::vector<float> MoverMotion::goals_without_hand(std::size_t mover) const {
+    return between_stops(mover, states_[mover].by_others);
+}
+
+std::vector<float> MoverMotion::between_stops(std::size_t mover, const std::vector<double>& asked) const {
+    std::vector<float> values;
+    for (std::size_t k = 0; k < asked.size(); ++k)
+        values.push_back(static_cast<float>(stopped((*movers_)[mover].axes[k], asked[k])));
+    return values;
+}
+
 void MoverMotion::warn(const Mover& mover, bool& said, const std::string& what) {
     if (std::exchange(said, true)) return;
+    const std::string tracker = mover.tracker_id >= 0 ? "tracker " + std::to_string(mover.tracker_id)
+                                                      : "tracker '" + mover.tracker.substr(0, 60) + "'";
     messages_.push_back(
-        {Severity::warning, mover.where, "the tracker of mover '" + mover.name.substr(0, 60) + "' " + what});
+        {Severity::warning, mover.where, tracker + " of mover '" + mover.name.substr(0, 60) + "' " + what});
 }
 
 void MoverMotion::follow(std::size_t index, const glm::vec3& point_m) {
@@ -96,7 +119,14 @@ void MoverMotion::follow(std::size_t index, const glm::vec3& point_m) {
 void MoverMotion::drive(std::size_t mover, std::vector<float> values) {
     const bool good = values.size() == states_[mover].motors.size() &&
                       std::all_of(values.begin(), values.end(), [](float v) { return std::isfinite(v); });
-    states_[mover].by_hand = good ? std::move(values) : std::vector<float>{};
+    if (good || values.empty()) states_[mover].by_hand = std::move(values);
+}
+
+void MoverMotion::drive(const std::map<std::size_t, std::vector<float>>& by_hand) {
+    for (std::size_t k = 0; k < states_.size(); ++k) {
+        const auto found = by_hand.find(k);
+        drive(k, found == by_hand.end() ? std::vector<float>{} : found->second);
+    }
 }
 
 void MoverMotion::ask(std::size_t index, const dmx::Universes& universes, std::optional<double> at_s) {
@@ -112,20 +142,19 @@ void MoverMotion::ask(std::size_t index, const dmx::Universes& universes, std::o
     }
     for (std::size_t k = 0; k < mover.axes.size(); ++k) {
         const MoverAxis& axis = mover.axes[k];
-        double& asked = state.asked[k];
+        double& asked = state.by_others[k];
         const bool is_heard =
             std::all_of(axis.levels.begin(), axis.levels.end(), [&](const fixture::Address& byte) {
                 return universes.find(static_cast<std::uint16_t>(byte.universe)) != nullptr;
             });
-        if (!state.by_hand.empty())
-            asked = static_cast<double>(state.by_hand[k]);
-        else if (!tracked.empty() && !axis.is_angle)
+        if (!tracked.empty() && !axis.is_angle)
             asked = tracked[k];
         else if (!mover.keys.empty() && at_s)
             asked = key_value(mover.keys, k, *at_s);
         else if (!axis.levels.empty() && is_heard) // else it stays where it is: nobody has spoken
             asked = std::lerp(static_cast<double>(axis.from), static_cast<double>(axis.to),
                               level_of(axis.levels, universes));
+        state.asked[k] = state.by_hand.empty() ? asked : static_cast<double>(state.by_hand[k]);
     }
 }
 
@@ -143,8 +172,7 @@ void MoverMotion::step(const dmx::Universes& universes, std::optional<double> at
         for (std::size_t a = 0; a < mover.axes.size(); ++a) {
             const MoverAxis& axis = mover.axes[a];
             fixture::Motor& motor = state.motors[a];
-            const double goal =
-                std::clamp(state.asked[a], static_cast<double>(axis.low), static_cast<double>(axis.high));
+            const double goal = stopped(axis, state.asked[a]);
             const fixture::MotorLimits limits{
                 axis.speed > 0 ? static_cast<double>(axis.speed) : fixture::kNoLimit,
                 axis.acceleration > 0 ? static_cast<double>(axis.acceleration) : fixture::kNoLimit};

@@ -17,6 +17,9 @@ constexpr float kLeastHeight_m = 0.03f; // the thinnest pipe that carries a lamp
 constexpr float kLower_m = 0.5f;        // below what hangs, is not what is meant
 constexpr float kGap_m = 0.3f;          // between pieces of one truss
 constexpr float kBeside_m = 0.05f;      // that they may lie beside or below each other
+constexpr float kAboveLamp_m = 0.6f;    // of a fixture's place: the underside of the bar that it hangs under
+constexpr float kBelowLamp_m = 0.3f;    // likewise: clamps reach round it
+constexpr float kBesideLamp_m = 0.5f;   // beyond the bar's own half width
 constexpr float kSameWay = 0.999f;      // cosine, 2.5 degrees
 
 struct Extent {
@@ -112,9 +115,14 @@ bool is_slender(const Bar& bar) {
 }
 
 Bar joined(const Bar& piece, std::span<const Bar> all) {
+    std::vector<bool> taken;
+    return joined(piece, all, taken);
+}
+
+Bar joined(const Bar& piece, std::span<const Bar> all, std::vector<bool>& taken) {
     Bar whole = piece;
     const glm::vec3 way = way_of(piece);
-    std::vector<bool> taken(all.size(), false);
+    taken.assign(all.size(), false);
     for (bool grew = true; grew;) {
         grew = false;
         for (std::size_t i = 0; i < all.size(); ++i) {
@@ -128,6 +136,17 @@ Bar joined(const Bar& piece, std::span<const Bar> all) {
         }
     }
     return whole;
+}
+
+std::optional<float> hangs_away_m(const Bar& bar, const glm::vec3& place_m) {
+    const float length_m = bar.length_m();
+    const glm::vec3 along = (bar.to_m - bar.from_m) / length_m;
+    const float at_m = glm::dot(place_m - bar.from_m, along);
+    const glm::vec3 off = bar.from_m + along * at_m - place_m;
+    if (at_m < 0 || at_m > length_m || off.z > kAboveLamp_m || off.z < -kBelowLamp_m - bar.height_m ||
+        std::hypot(off.x, off.y) > kBesideLamp_m + bar.across_m / 2)
+        return std::nullopt;
+    return glm::length(off);
 }
 
 std::optional<std::size_t> nearest_bar(std::span<const Bar> all, const glm::vec3& to_m) {

@@ -29,8 +29,13 @@ std::optional<Bar> bar_of(std::span<const glm::vec3> positions, const glm::mat4&
 // Slender enough for a truss or a pipe; a wall, a curtain or a floor is not, nor a tape on it.
 bool is_slender(const Bar& bar);
 
-// The piece with all those that go on where it ends.
+// The piece with all those that go on where it ends. taken: which they are, one for each.
+Bar joined(const Bar& piece, std::span<const Bar> all, std::vector<bool>& taken);
 Bar joined(const Bar& piece, std::span<const Bar> all);
+
+// How far a place is from the middle line of a bar, where what is there hangs under it or is clamped to it;
+// nothing: it does not.
+std::optional<float> hangs_away_m(const Bar& bar, const glm::vec3& place_m);
 
 // Of slender ones, those first that are no lower than it; nothing: there is none.
 std::optional<std::size_t> nearest_bar(std::span<const Bar> all, const glm::vec3& to_m);

@@ -391,6 +391,52 @@ TEST(ImportPlot, KeepsNoMoreThanNinetyNineOlderVersions) {
     EXPECT_FALSE(fs::exists(show / "a (before 100).mvr"));
 }
 
+TEST(ExportPlot, MoversAreKeptBesideItAndFindTheirLoadByUuid) {
+    const fs::path folder = scratch("export_movers");
+    write_mvr(folder / "tour.mvr", small_xml(fixture_xml(20, "Spot", kIdentity + "{0,0,5000}", "") +
+                                             fixture_xml(21, "Wash", kIdentity + "{1000,0,5000}", "")));
+    Report report;
+    ASSERT_TRUE(imported_into(folder / "tour.mvr", folder / "show", report).ok());
+    const std::string mover = "[[mover]]\nname = \"Truss\"\nkind = \"linear\"\nfixtures = [\"Spot\", "
+                              "\"Wa*\"] # both\n\n[[mover.axis]]\nrange_m = [0, -4]\n";
+    std::ofstream(folder / "show" / "show.toml", std::ios::app) << "\n" << mover;
+    Report said;
+    ASSERT_TRUE(export_plot(folder / "show", folder / "out.mvr", {}, said).ok());
+    EXPECT_TRUE(says(said, {"1 [[mover]]", "out.movers.toml"})) << messages_of(said);
+    const std::string kept = must(read_text_file(folder / "out.movers.toml", 1 << 20));
+    EXPECT_NE(kept.find(mover), std::string::npos) << kept;
+    EXPECT_NE(kept.find("name = \"Wash\"\nuuid = \"" + uuid(21) + "\""), std::string::npos) << kept;
+    const auto again = load_mvr(folder / "out.mvr");
+    ASSERT_TRUE(again.ok());
+    EXPECT_GE(find_object(again->plot, uuid(20)), 0) << "what is moved keeps its UUID";
+
+    // Another program gives the spot another name.
+    write_mvr(folder / "renamed.mvr", small_xml(fixture_xml(20, "Key light", kIdentity + "{0,0,5000}", "")));
+    fs::copy_file(folder / "out.movers.toml", folder / "renamed.movers.toml");
+    Report taken;
+    ASSERT_TRUE(imported_into(folder / "renamed.mvr", folder / "second", taken).ok());
+    EXPECT_TRUE(says(taken, {"1 [[mover]] taken into the show"})) << messages_of(taken);
+    EXPECT_TRUE(says(taken, {"no more of what its movers carry", "Wash"})) << messages_of(taken);
+    const std::string second = must(read_text_file(folder / "second" / "show.toml", 1 << 20));
+    EXPECT_NE(second.find("fixtures = [\"Key light\", \"Wa*\"] # both"), std::string::npos) << second;
+    const Show show = opened(folder / "second", taken);
+    ASSERT_EQ(show.movers.size(), 1u);
+    EXPECT_EQ(show.fixtures[0].mover, 0);
+
+    std::string many = kept;
+    for (int k = 0; k <= 20'000; ++k) many += "[[carried]]\n";
+    std::ofstream(folder / "renamed.movers.toml") << many;
+    Report full;
+    ASSERT_TRUE(imported_into(folder / "renamed.mvr", folder / "full", full).ok());
+    EXPECT_TRUE(says(full, {"has more than 20000 entries"})) << messages_of(full).substr(0, 2000);
+    fs::resize_file(folder / "renamed.movers.toml", (16 << 20) + 1);
+    EXPECT_FALSE(imported_into(folder / "renamed.mvr", folder / "third", taken).ok());
+
+    std::ofstream(folder / "renamed.movers.toml") << "[[mover]\n";
+    EXPECT_FALSE(imported_into(folder / "renamed.mvr", folder / "third", taken).ok());
+    EXPECT_FALSE(fs::exists(folder / "third" / "show.toml"));
+}
+
 TEST(ImportPlot, RefusesWhatItWouldDestroy) {
     const fs::path folder = scratch("import_refuses");
     write_mvr(folder / "a.mvr", small_xml(fixture_xml(20, "Spot", kIdentity + "{0,0,0}", "")));

@@ -34,6 +34,7 @@ StoredLook verse() {
                                .lamp_k = 3200.0f,
                                .levels = {0, 255, 17}};
     look.fixtures["Wash 2"] = {.intensity = 0.0f};
+    look.movers["Truss \"front\""] = {-2.5f, -3};
     return look;
 }
 
@@ -54,6 +55,30 @@ TEST(Looks, every_beginning_of_a_file_is_read_or_refused_with_its_line) {
         const auto read = parse_looks(whole.substr(0, size), "looks.toml", report);
         EXPECT_TRUE(read.ok() || read.error().where.starts_with("looks.toml:")) << size;
     }
+}
+
+TEST(Looks, movers_that_the_show_does_not_have_so_are_named) {
+    Show show;
+    show.movers.resize(2);
+    show.movers[0].name = "lift";
+    show.movers[0].axes.resize(1);
+    show.movers[1].name = "truss";
+    show.movers[1].axes.resize(3);
+    Report report;
+    const auto looks = parse_looks("[[look]]\nname = \"A\"\n[[look.mover]]\nname = \"lift\"\nvalues = [2]\n"
+                                   "[[look.mover]]\nname = \"truss\"\nvalues = [1, 2]\n"
+                                   "[[look.mover]]\nname = \"wagon\"\nvalues = [1]\n"
+                                   "[[look.mover]]\nname = \"lift\"\nvalues = [3]\n"
+                                   "[[look.mover]]\nname = \"winch\"\nvalues = [nan]\n",
+                                   "looks.toml", report);
+    ASSERT_TRUE(looks.ok());
+    EXPECT_EQ(report.messages.size(), 2u) << "twice one name, and what is no number";
+    EXPECT_EQ(movers_of((*looks)[0], show), (std::map<std::size_t, std::vector<float>>{{0, {2.0f}}}));
+    Report strangers;
+    check_look((*looks)[0], show, "looks.toml", strangers);
+    ASSERT_EQ(strangers.messages.size(), 1u);
+    EXPECT_NE(strangers.messages[0].what.find("'truss'"), std::string::npos) << strangers.messages[0].what;
+    EXPECT_NE(strangers.messages[0].what.find("'wagon'"), std::string::npos);
 }
 
 TEST(Looks, fixtures_that_the_show_does_not_have_are_named) {

@@ -188,7 +188,33 @@ TEST(MoverMotion, the_machine_keeps_its_limits_and_its_end_stops) {
     EXPECT_FLOAT_EQ(motion.values(0)[0], 3.0f);
     motion.drive(0, {std::numeric_limits<float>::quiet_NaN()});
     motion.step({}, {}, 0.1, Motion::as_commanded);
-    EXPECT_FLOAT_EQ(motion.values(0)[0], 3.0f) << "no number is no hand: it stays";
+    EXPECT_FLOAT_EQ(motion.values(0)[0], 3.0f) << "no number: the last good place is held";
+    motion.drive(0, {1, 2});
+    motion.step({}, {}, 0.1, Motion::as_commanded);
+    EXPECT_FLOAT_EQ(motion.values(0)[0], 3.0f) << "of another number of axes";
+}
+
+TEST(MoverMotion, what_a_hand_let_go_goes_where_it_would_be_without_it) {
+    Report report;
+    const std::vector<Mover> movers =
+        read(lift("a", "", "range_m = [0, 10]\nuniverse = 2\naddress = 1\nbits = 8") +
+                 lift("b", "", "range_m = [0, 10]\nspeed_m_s = 1\nacceleration_m_s2 = 1"),
+             report);
+    MoverMotion motion(movers);
+    dmx::Universes universes;
+    auto levels = std::make_shared<dmx::Levels>();
+    (*levels)[0] = 51;
+    universes.at(2).levels = levels;
+    motion.drive({{0, {7}}, {1, {12}}});
+    motion.step(universes, {}, 0.1, Motion::as_commanded);
+    EXPECT_FLOAT_EQ(motion.values(0)[0], 7.0f);
+    EXPECT_FLOAT_EQ(motion.goals(1)[0], 10.0f) << "its end stop";
+    EXPECT_FLOAT_EQ(motion.goals_without_hand(0)[0], 2.0f);
+    EXPECT_FLOAT_EQ(motion.goals_without_hand(1)[0], 0.0f);
+    motion.drive(std::map<std::size_t, std::vector<float>>{});
+    motion.step(universes, {}, 0.1, Motion::as_commanded);
+    EXPECT_FLOAT_EQ(motion.values(0)[0], 2.0f);
+    EXPECT_FLOAT_EQ(motion.values(1)[0], 0.0f) << "nobody has spoken: where it is drawn";
 }
 
 TEST(MoverMotion, keys_go_by_the_time_of_the_recording) {
@@ -238,7 +264,10 @@ TEST(MoverMotion, trackers_that_jump_or_go_nowhere_are_held_at_the_last_place) {
     EXPECT_TRUE(motion.take_messages().empty());
     EXPECT_FLOAT_EQ(value_at({0, std::nanf(""), 3}), 2.0f);
     EXPECT_FLOAT_EQ(value_at({0, 0, 10'000}), 2.0f);
-    ASSERT_EQ(motion.take_messages().size(), 1u) << "once";
+    const std::vector<Message> far = motion.take_messages();
+    ASSERT_EQ(far.size(), 1u) << "once";
+    EXPECT_TRUE(far[0].what.starts_with("tracker 3 of mover 'a' tells a place that is no number"))
+        << far[0].what;
     EXPECT_FLOAT_EQ(value_at({5, 5, 8}), 2.0f) << "a jump";
     EXPECT_EQ(motion.take_messages().size(), 1u);
     EXPECT_FLOAT_EQ(value_at({5, 5, 3.5f}), 2.5f) << "back again";
@@ -259,7 +288,9 @@ TEST(MoverFile, what_is_wrong_is_said_with_its_line_and_the_rest_is_kept) {
             "[0, 1]\n" +
             lift("e", "tracker = 1", "range_m = [0, 5]\nlimits_m = [5, 0]\nuniverse = 1\naddress = 512") +
             lift("f", "", "range_m = [0, nan]\nfixture = \"hoist 1\"\nattribute = \"XYZ_Z\"") +
-            "[[mover]]\nname = \"g\"\nkind = \"wagon\"\n" + lift("a", "", kRange),
+            "[[mover]]\nname = \"g\"\nkind = \"wagon\"\n" + lift("a", "", kRange) +
+            "[[mover]]\nname = \"far\"\nkind = \"revolve\"\nobjects = [\"x\"]\ncentre_m = [0, 0, "
+            "10000]\n[[mover.axis]]\nrange_deg = [0, 90]\n",
         report);
     EXPECT_TRUE(says(report, "'a' drives itself: 'a' on 'b' on 'c' on itself"));
     EXPECT_TRUE(says(report, "hangs on 'nobody', which is no mover"));
@@ -272,7 +303,8 @@ TEST(MoverFile, what_is_wrong_is_said_with_its_line_and_the_rest_is_kept) {
     EXPECT_TRUE(says(report, "is 'wagon', expected hoists, linear"));
     EXPECT_TRUE(says(report, "'a' is that of another mover"));
     EXPECT_TRUE(says(report, "where the tracker is"));
-    EXPECT_EQ(movers.size(), 7u);
+    EXPECT_TRUE(says(report, "[[mover]] 'far' centre_m"));
+    EXPECT_EQ(movers.size(), 8u);
     MoverMotion motion(movers);
     motion.step({}, 1.0, 0.1, Motion::as_the_machine);
     for (std::size_t k = 0; k < movers.size(); ++k)

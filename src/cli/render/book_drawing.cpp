@@ -161,8 +161,11 @@ void BookDrawing::go_to(const scene::PlannedEntry* planned) {
     look_ = {};
     if (planned && planned->look) {
         look_.fixtures = scene::programmer_of(looks_[*planned->look], *session_->show);
+        look_.movers = scene::movers_of(looks_[*planned->look], *session_->show);
         look_.scene = looks_[*planned->look].scene;
     }
+    session_->rig->movers().drive(look_.movers);
+    session_->rig->set_time(planned ? planned->entry.at_s : std::nullopt);
     const bool is_sent = planned && player_ && planned->entry.at_s;
     settle(*session_->rig, is_sent ? player_->at(*planned->entry.at_s) : dmx::Universes{}, look_.fixtures);
     applied_->apply(look_, *session_);

@@ -117,8 +117,11 @@ Result<void> render_live(const RenderArguments& arguments, Session& session, Pic
         }
         if (player) {
             const auto at_s = timecode->at_s(player->duration_s());
-            if (at_s) universes = player->at(*at_s);
-            if (at_s) session.media_s = at_s;
+            if (at_s) {
+                universes = player->at(*at_s);
+                session.media_s = at_s;
+                session.rig->set_time(at_s);
+            }
             fresh = false; // of a recording nothing arrives
         }
         const Clock::time_point now = Clock::now();

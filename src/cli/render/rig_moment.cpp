@@ -42,10 +42,12 @@ Result<RigMoment> moment_of(const scene::Show& show, const RigMomentOptions& opt
     TRY(const std::vector<scene::StoredLook> looks, scene::load_looks(scene::looks_file(show), report));
     std::optional<std::size_t> look;
     dmx::Universes levels;
+    std::optional<double> at_s = options.at_s;
     if (!options.cue.empty()) {
         TRY(const scene::PlannedEntry planned, cue_of(show, looks, options.cue, style));
         look = planned.look;
         moment.said = style("As in cue '%1'.", {options.cue});
+        if (!at_s) at_s = planned.entry.at_s;
         if (planned.entry.at_s && !show.recording.empty()) {
             TRY(levels, levels_at(show, *planned.entry.at_s, options.quiet));
         }
@@ -60,6 +62,8 @@ Result<RigMoment> moment_of(const scene::Show& show, const RigMomentOptions& opt
         moment.said = style("As the recording has it at %1 s.", {style.number(*options.at_s, 2)});
     }
     scene::Rig rig(show);
+    if (look) rig.movers().drive(scene::movers_of(looks[*look], show));
+    rig.set_time(at_s);
     settle(rig, levels,
            look ? scene::programmer_of(looks[*look], show) : std::map<std::size_t, fixture::Programmer>{});
     moment.states = rig.states();

@@ -148,14 +148,15 @@ void Engine::frame() {
     const dmx::Trackers* const trackers = controls_.hear_trackers(*session_);
     input_->step(request_.input, request_.transport, dt_s);
     // Motors, too, would wait for ever where time stands still.
-    session_->show->motion = request_.frozen ? fixture::Motion::as_commanded : motion_;
+    session_->show->motion =
+        request_.frozen ? fixture::Motion::as_commanded : request_.motion.value_or(motion_);
     // Films and keys of movers run with the recording, where it is shown, else with the network's time code,
     // once it is heard.
     if (input_->recording_s() > 0 && !input_->shows_desk())
         session_->media_s = input_->at_s();
     else if (!request_.frozen)
         session_->media_s = desk_.timecode() ? desk_.timecode()->at_s(kLongestFilm_s) : std::nullopt;
-    drive_movers(request_.look, *session_);
+    session_->rig->movers().drive(request_.look.movers);
     session_->rig->set_time(session_->media_s);
     session_->rig->step(input_->universes(), dt_s, request_.look.fixtures);
     scene::Camera wanted = scene::riding(wanted_camera(), *session_->rig);

@@ -13,6 +13,7 @@ constexpr double kLampsWarm_s = 10; // whatever a lamp takes to its full light
 
 scene::FrameLights lit_by(scene::Rig& rig, const scene::StoredLook& look, Session& session) {
     const fixture::Motion motion = std::exchange(session.show->motion, fixture::Motion::as_commanded);
+    rig.movers().drive(scene::movers_of(look, *session.show));
     rig.step({}, kLampsWarm_s, scene::programmer_of(look, *session.show));
     session.show->motion = motion;
     return rig.lit(session.gobos, session.live->maps());

@@ -42,7 +42,8 @@ void RigNews::publish(const Session& session, const LiveInput& input, const scen
     rig.timecode = input.timecode_text();
     if (recorded_s) rig.recorded_s = *recorded_s;
     for (std::size_t k = 0; k < session.show->movers.size(); ++k)
-        rig.movers.push_back(session.rig->movers().values(k));
+        rig.movers.push_back({session.rig->movers().values(k), session.rig->movers().goals(k),
+                              session.rig->movers().goals_without_hand(k)});
     const std::vector<fixture::State>& states = session.rig->states();
     std::size_t face = 0; // one for each beam of a fixture with a type
     for (std::size_t i = 0; i < states.size(); ++i) {

@@ -23,7 +23,8 @@ ui::Object object_of(const scene::Stage& stage, std::size_t instance) {
     object.layer = placed.layer;
     if (mesh.positions.empty()) return object;
     object.centre_m = box.middle_m();
-    object.radius_m = 0.5f * glm::length(box.size_m());
+    object.half_size_m = 0.5f * box.size_m();
+    object.radius_m = glm::length(object.half_size_m);
     object.bar = scene::bar_of(mesh.positions, placed.world);
     return object;
 }
@@ -41,12 +42,14 @@ ui::Opened opened_from(const Session& session) {
     ui::Opened opened;
     const scene::Stage& stage = session.live->stage();
     scene::Box box;
+    const std::vector<int> movers = scene::movers_of_instances(*session.show, stage);
     for (std::size_t i = 0; i < stage.instances.size(); ++i) {
         const scene::Instance& instance = stage.instances[i];
         if (instance.fixture != scene::kNone || instance.mesh < 0 ||
             instance.mesh >= static_cast<int>(stage.meshes.size()))
             continue;
         opened.objects.push_back(object_of(stage, i));
+        opened.objects.back().mover = movers[i];
     }
     for (const scene::PatchedFixture& fixture : session.show->fixtures) box.add(fixture.position_m, 1.0f);
     // A floor of a square kilometre is not what a person wants to see.
@@ -83,13 +86,6 @@ bool take_air(const scene::Show& edited, Session& session) {
     session.relighter.reset(); // its programs are for the one or the other
     session.look_from(scene::Camera(session.live->camera()));
     return true;
-}
-
-void drive_movers(const ui::Look& look, Session& session) {
-    for (std::size_t k = 0; k < session.show->movers.size(); ++k) {
-        const auto by_hand = look.movers.find(k);
-        session.rig->movers().drive(k, by_hand == look.movers.end() ? std::vector<float>{} : by_hand->second);
-    }
 }
 
 AppliedLook::AppliedLook(const Session& session) : shadows_(session.shadows) {}

@@ -15,9 +15,6 @@ ui::Opened opened_from(const Session& session);
 // another, and look_from has to follow.
 bool take_air(const scene::Show& edited, Session& session);
 
-// Movers under the hand, before the rig's step.
-void drive_movers(const ui::Look& look, Session& session);
-
 class AppliedLook {
 public:
     // The session as it was opened: what an empty look means.

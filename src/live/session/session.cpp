@@ -89,6 +89,7 @@ Result<void> take_look(const SessionOptions& options, scene::Show& show, Session
     if (!index.ok()) return Error{index.error().what, file.string()};
     scene::check_look(looks[*index], show, file.string(), report);
     session.programmer = scene::programmer_of(looks[*index], show);
+    session.movers = scene::movers_of(looks[*index], show);
     session.scene_look = looks[*index].scene;
     session.shadows = session.scene_look.shadows.value_or(session.shadows);
     return {};
@@ -483,6 +484,7 @@ Result<std::unique_ptr<Session>> open_session(const SessionOptions& asked, scene
                              options.pipeline_statistics, options.lowered_limits}));
     log_info("drawing on " + session->device->name());
     session->rig = std::make_unique<scene::Rig>(*session->show);
+    session->rig->movers().drive(session->movers);
     const render::Settings settings = draw_settings(session->atmosphere(), camera, options);
     if (options.live) {
         const LiveOptions live{options.shadows && session->show->shadows, options.maps_in_background,

@@ -90,6 +90,7 @@ struct Session {
     std::unique_ptr<render::Relighter> parked, parked_other_light; // those of a picture of another size
     bool maps_changed_since_parked = false;
     std::map<std::size_t, fixture::Programmer> programmer; // of options.look, for Rig::step
+    std::map<std::size_t, std::vector<float>> movers;      // of options.look, by hand
     scene::SceneLook scene_look;                           // that of options.look, or what hands set since
     float haze_density = 1;                                // times that: a remote control's
     float master = 1;                                      // share of all light

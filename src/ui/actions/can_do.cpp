@@ -8,15 +8,15 @@ namespace ghost::ui {
 namespace {
 
 const std::set<QString> kNeedNothing{
-    "new",           "open",  "import-plot", "open-demo", "quit",           "screenshot",   "shortcuts",
-    "documentation", "about", "full-screen", "chips",     "figures",        "frame",        "names",
-    "addresses",     "aims",  "marks",       "find",      "second-display", "second-window"};
+    "new",           "open",  "import-plot", "open-demo", "quit",    "screenshot",     "shortcuts",
+    "documentation", "about", "full-screen", "chips",     "figures", "frame",          "names",
+    "addresses",     "aims",  "marks",       "movers",    "find",    "second-display", "second-window"};
 const std::set<QString> kNeedSelection{"select-none", "hold",  "select-similar", "duplicate", "remove",
                                        "unpatch",     "hang",  "distribute",     "align-x",   "align-y",
                                        "align-z",     "focus", "aim-through"};
 const std::set<QString> kNeedEditable{"add-fixture", "duplicate", "remove",      "unpatch", "hang",
                                       "distribute",  "align-x",   "align-y",     "align-z", "set-stage",
-                                      "add-model",   "add-hazer", "keep-camera", "save"};
+                                      "add-model",   "add-hazer", "keep-camera", "save",    "fly-on-hoists"};
 
 } // namespace
 

@@ -2,10 +2,17 @@
 #include "ui/actions/hang_edit.h"
 
 #include "base/text.h"
+#include "show/free_address.h"
 #include "show/show.h"
+#include "show_file/mover_edit.h"
 #include "show_folder/hang.h"
 #include "stage/overrides.h"
+#include "ui/actions/object_edit.h"
 #include "ui/actions/patch_edit.h"
+#include "ui/actions/programmer_actions.h"
+
+#include <algorithm>
+#include <cmath>
 
 namespace ghost::ui {
 namespace {
@@ -21,6 +28,87 @@ Result<std::vector<glm::vec3>> places_of_selection(const AppModel& app, const Sh
     for (const std::size_t index : app.selection()) places.push_back(app.show()->fixtures[index].position_m);
     if (places.empty()) return Error{"no fixture is selected", ""};
     return places;
+}
+
+// The whole truss that a piece is of; the names of all its pieces, each once.
+scene::Bar take_pieces(const std::vector<Object>& objects, std::size_t piece,
+                       std::vector<std::string>& names) {
+    std::vector<scene::Bar> bars;
+    std::vector<std::size_t> of_bar;
+    for (std::size_t i = 0; i < objects.size(); ++i)
+        if (objects[i].bar && scene::is_slender(*objects[i].bar)) {
+            bars.push_back(*objects[i].bar);
+            of_bar.push_back(i);
+        }
+    std::vector<bool> taken;
+    const scene::Bar whole = scene::joined(*objects[piece].bar, bars, taken);
+    names.push_back(objects[piece].name);
+    for (std::size_t k = 0; k < bars.size(); ++k)
+        if (taken[k] && std::find(names.begin(), names.end(), objects[of_bar[k]].name) == names.end())
+            names.push_back(objects[of_bar[k]].name);
+    return whole;
+}
+
+// Neither a fixture nor another mover reads it.
+std::optional<fixture::Address> free_channels(const scene::Show& show, int count) {
+    std::vector<fixture::Patch> patches;
+    for (const scene::PatchedFixture& fixture : show.fixtures)
+        if (fixture.type) patches.push_back(fixture.patch());
+    fixture::Address from{1, 1};
+    for (;;) {
+        const auto free = fixture::find_free_address(patches, count, from);
+        if (!free) return std::nullopt;
+        int behind = 0; // what a mover reads of it
+        for (const scene::Mover& mover : show.movers)
+            for (const scene::MoverAxis& axis : mover.axes)
+                for (const fixture::Address& byte : axis.levels)
+                    if (byte.universe == free->universe && byte.channel >= free->channel &&
+                        byte.channel < free->channel + count)
+                        behind = std::max(behind, byte.channel + 1);
+        if (behind == 0) return free;
+        from = {free->universe, behind};
+    }
+}
+
+// Down to a metre above the floor; a truss that lies lower flies up.
+void add_hoists(const scene::Bar& bar, const scene::Show& show, scene::Mover& truss) {
+    constexpr float kOverhang = 0.207f; // of its length: where a beam on two points bends least
+    constexpr float kLowest_m = 1, kHighest_m = 8;
+    constexpr float kSpeed_m_s = 0.2f;
+    constexpr std::size_t kBytes = 2;
+    const float low_m = std::min(bar.from_m.z, bar.to_m.z);
+    const float way_m = low_m > 2 * kLowest_m ? kLowest_m - low_m : kHighest_m - low_m;
+    const glm::vec3 run = bar.to_m - bar.from_m;
+    const bool is_across = std::abs(run.x) >= std::abs(run.y);
+    const auto free = free_channels(show, static_cast<int>(2 * kBytes));
+    for (std::size_t k = 0; k < 2; ++k) {
+        scene::MoverAxis& hoist = truss.axes.emplace_back();
+        hoist.name = is_across ? (k == 0 ? "left" : "right") : (k == 0 ? "down-stage" : "up-stage");
+        hoist.point_m = in_millimetres(bar.from_m + (k == 0 ? kOverhang : 1 - kOverhang) * run +
+                                       glm::vec3(0, 0, bar.height_m));
+        hoist.to = std::round(way_m * 100) / 100;
+        hoist.speed = hoist.acceleration = kSpeed_m_s;
+        if (!free) continue;
+        for (std::size_t byte = 0; byte < kBytes; ++byte)
+            hoist.levels.push_back({free->universe, free->channel + static_cast<int>(k * kBytes + byte)});
+    }
+}
+
+Result<void> set_address(AppModel& app, ShowDocument& document, const QStringList& words) {
+    TRY_VOID(document.check_editable());
+    TRY(const std::size_t index, mover_called(app, words.value(0)));
+    const QStringList parts = words.value(1).split('.');
+    TRY(const double universe, number_of(parts, 0, "universe", 1, dmx::kMaxUniverse));
+    TRY(const double address, number_of(parts, 1, "address", 1, 512));
+    const int bits = words.value(2, "16").toInt();
+    if (bits != 8 && bits != 16 && bits != 24)
+        return Error{"'" + words.value(2).toStdString() + "' is none of 8, 16 and 24 bits", ""};
+    const scene::Mover& mover = app.show()->movers[index];
+    TRY(std::string text,
+        scene::set_mover_address(document.text(), mover,
+                                 {static_cast<int>(universe), static_cast<int>(address)}, bits));
+    return document.edit("Address of '" + QString::fromStdString(mover.name) + "'",
+                         {std::move(text), app.look(), app.selection()});
 }
 
 } // namespace
@@ -65,7 +153,53 @@ Result<void> hang(AppModel& app, ShowDocument& document, const QString& pattern)
     return hang_under(app, document, of_bar[*nearest]);
 }
 
+Result<void> fly_on_hoists(AppModel& app, ShowDocument& document, std::size_t object) {
+    TRY_VOID(document.check_editable());
+    const std::vector<Object>& objects = app.opened().objects;
+    if (object >= objects.size() || !objects[object].bar || !scene::is_slender(*objects[object].bar))
+        return Error{"does not lie like a truss or a pipe, so no hoists hold it",
+                     object < objects.size() ? objects[object].name : ""};
+    const scene::Show& show = *app.show();
+    scene::Mover truss;
+    truss.name = objects[object].name;
+    truss.kind = scene::MoverKind::hoists;
+    const scene::Bar bar = take_pieces(objects, object, truss.objects);
+    for (std::size_t i = 0; i < objects.size(); ++i)
+        if (objects[i].mover != scene::kNoMover &&
+            std::find(truss.objects.begin(), truss.objects.end(), objects[i].name) != truss.objects.end())
+            return Error{"goes with mover '" + show.movers[static_cast<std::size_t>(objects[i].mover)].name +
+                             "' already",
+                         objects[i].name};
+    for (const scene::Mover& mover : show.movers)
+        if (mover.name == truss.name) return Error{"is the name of another mover", truss.name};
+    for (const scene::PatchedFixture& fixture : show.fixtures)
+        if (fixture.mover == scene::kNoMover && !fixture.track &&
+            scene::hangs_away_m(bar, fixture.position_m))
+            truss.fixtures.push_back(fixture.name);
+    add_hoists(bar, show, truss);
+    TRY(std::string text, scene::add_mover(document.text(), truss));
+    return document.edit("Fly '" + QString::fromStdString(truss.name) + "' on hoists",
+                         {std::move(text), app.look(), app.selection()});
+}
+
 void add_hang_action(Actions& actions, AppModel& app, ShowDocument& document) {
+    actions.add({"fly-on-hoists",
+                 "Edit",
+                 "Fly the chosen truss on two hoists",
+                 "Ctrl+Shift+H",
+                 "[OBJECT]",
+                 [&app, &document](const QStringList& words) -> Result<void> {
+                     TRY(const std::size_t object, object_called(app, words.value(0)));
+                     return fly_on_hoists(app, document, object);
+                 },
+                 {}});
+    actions.add({"mover-address",
+                 "",
+                 "mover-address",
+                 "",
+                 "NAME UNIVERSE.ADDRESS [BITS]",
+                 [&app, &document](const QStringList& words) { return set_address(app, document, words); },
+                 {}});
     actions.add({"hang",
                  "Edit",
                  "Hang under the nearest truss",

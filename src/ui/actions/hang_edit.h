@@ -1,7 +1,8 @@
 #pragma once
 // SPDX-License-Identifier: Apache-2.0
-// Hanging the selected fixtures under a truss or a pipe of the stage (show_folder/hang.h), one step of the
-// undo list. Errors: nothing is selected, or there is no such truss. Window thread.
+// Hanging the selected fixtures under a truss or a pipe of the stage (show_folder/hang.h), and a truss on two
+// hoists ([[mover]] of the show); each one step of the undo list. Errors: nothing is selected, or there is no
+// such truss. Window thread.
 
 #include "ui/actions/actions.h"
 #include "ui/model/show_document.h"
@@ -15,7 +16,11 @@ Result<void> hang_under(AppModel& app, ShowDocument& document, std::size_t objec
 // Under the truss nearest to them; pattern: of the objects called so, if it is not empty.
 Result<void> hang(AppModel& app, ShowDocument& document, const QString& pattern);
 
-// "hang [OBJECT]".
+// The truss with all its pieces and what hangs under it, on hoists a fifth from its ends, at a free address.
+// object: of Opened::objects.
+Result<void> fly_on_hoists(AppModel& app, ShowDocument& document, std::size_t object);
+
+// "hang [OBJECT]", "fly-on-hoists [OBJECT]", "mover-address NAME UNIVERSE.ADDRESS [BITS]".
 void add_hang_action(Actions& actions, AppModel& app, ShowDocument& document);
 
 } // namespace ghost::ui

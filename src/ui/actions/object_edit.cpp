@@ -16,6 +16,21 @@ namespace {
 constexpr double kFarthest_m = scene::kMaxCoordinate_m;
 constexpr float kNudge_m = 0.1f;
 
+// What has several materials comes as several objects of one name at one place.
+bool is_part_of(const Object& one, const Object& other) {
+    return glm::distance(one.centre_m, other.centre_m) < std::max(one.radius_m, other.radius_m);
+}
+
+// What the show moves it by already.
+glm::vec3 moved_m(const scene::Show& show, const std::string& name) {
+    glm::vec3 moved(0);
+    for (const scene::ObjectSettings& settings : show.objects)
+        if (settings.move_m && matches(settings.name, name)) moved = *settings.move_m;
+    return moved;
+}
+
+} // namespace
+
 Result<std::size_t> object_called(const AppModel& app, const QString& name) {
     if (!app.show()) return Error{"no show is open", ""};
     if (name.isEmpty()) {
@@ -31,21 +46,6 @@ Result<std::size_t> object_called(const AppModel& app, const QString& name) {
     return Error{
         "the stage has no object '" + name.toStdString() + "'" + did_you_mean(name.toStdString(), names), ""};
 }
-
-// What has several materials comes as several objects of one name at one place.
-bool is_part_of(const Object& one, const Object& other) {
-    return glm::distance(one.centre_m, other.centre_m) < std::max(one.radius_m, other.radius_m);
-}
-
-// What the show moves it by already.
-glm::vec3 moved_m(const scene::Show& show, const std::string& name) {
-    glm::vec3 moved(0);
-    for (const scene::ObjectSettings& settings : show.objects)
-        if (settings.move_m && matches(settings.name, name)) moved = *settings.move_m;
-    return moved;
-}
-
-} // namespace
 
 Result<void> move_object(AppModel& app, ShowDocument& document, std::size_t object, const glm::vec3& by_m) {
     TRY_VOID(document.check_editable());

@@ -11,6 +11,9 @@
 
 namespace ghost::ui {
 
+// Of Opened::objects; without a name, the chosen one.
+Result<std::size_t> object_called(const AppModel& app, const QString& name);
+
 // object: of Opened::objects.
 Result<void> move_object(AppModel& app, ShowDocument& document, std::size_t object, const glm::vec3& by_m);
 

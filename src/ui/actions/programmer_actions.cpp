@@ -58,21 +58,14 @@ Result<void> set_parameter_by_name(AppModel& app, const QStringList& words) {
 }
 
 Result<void> drive_mover_by_name(AppModel& app, const QStringList& words) {
-    TRY_VOID(need_show(app));
-    std::vector<std::string> names;
-    for (const scene::Mover& mover : app.show()->movers) names.push_back(mover.name);
-    const std::string name = words.value(0).toStdString();
-    const auto found = std::find(names.begin(), names.end(), name);
-    if (found == names.end())
-        return Error{"the show has no mover '" + name + "'" + did_you_mean(name, names), ""};
-    const auto index = static_cast<std::size_t>(found - names.begin());
+    TRY(const std::size_t index, mover_called(app, words.value(0)));
     const scene::Mover& mover = app.show()->movers[index];
     if (words.value(1) == "off") {
         drive_mover(app, index, {});
         return {};
     }
     if (words.size() != static_cast<int>(mover.axes.size()) + 1)
-        return Error{"mover '" + name + "' has " + std::to_string(mover.axes.size()) +
+        return Error{"mover '" + mover.name + "' has " + std::to_string(mover.axes.size()) +
                          " axes, expected a number for each, or off",
                      ""};
     std::vector<float> values;
@@ -84,6 +77,71 @@ Result<void> drive_mover_by_name(AppModel& app, const QStringList& words) {
     }
     drive_mover(app, index, std::move(values));
     return {};
+}
+
+// Those that carry what is selected or chosen, along their ways: hoists all alike, of others the first axis.
+Result<void> drive_on(AppModel& app, float steps) {
+    constexpr float kStep_m = 0.1f, kStep_deg = 5;
+    TRY_VOID(need_show(app));
+    std::set<int> movers;
+    for (const std::size_t fixture : app.selection()) movers.insert(app.show()->fixtures[fixture].mover);
+    if (const auto object = app.marked(); object && app.selection().empty())
+        movers.insert(app.opened().objects[*object].mover);
+    movers.erase(scene::kNoMover);
+    if (movers.empty())
+        return Error{"nothing that a mover carries is selected: click a lamp on it, or double click it", ""};
+    for (const int index : movers) {
+        const auto mover = static_cast<std::size_t>(index);
+        const scene::Mover& of = app.show()->movers[mover];
+        std::vector<float> values = mover_goals(app, mover);
+        const std::size_t count = of.kind == scene::MoverKind::hoists ? values.size() : 1;
+        for (std::size_t k = 0; k < std::min(count, values.size()); ++k) {
+            const scene::MoverAxis& axis = of.axes[k];
+            values[k] =
+                std::clamp(values[k] + steps * (axis.is_angle ? kStep_deg : kStep_m), axis.low, axis.high);
+        }
+        drive_mover(app, mover, std::move(values));
+    }
+    return {};
+}
+
+Result<void> set_motion(AppModel& app, const QString& word) {
+    TRY_VOID(need_show(app));
+    const bool is_machine =
+        app.request().motion.value_or(app.show()->motion) == fixture::Motion::as_the_machine;
+    const auto motion = word.isEmpty() ? std::optional(is_machine ? fixture::Motion::as_commanded
+                                                                  : fixture::Motion::as_the_machine)
+                                       : fixture::motion_from(word.toStdString());
+    if (!motion) return Error{"'" + word.toStdString() + "' is neither commanded nor machine", ""};
+    app.wish([&](ViewRequest& request) { request.motion = motion; });
+    return {};
+}
+
+void add_mover_actions(Actions& actions, AppModel& app) {
+    actions.add({"mover",
+                 "",
+                 "mover",
+                 "",
+                 "NAME VALUE...|off",
+                 [&app](const QStringList& words) { return drive_mover_by_name(app, words); },
+                 {}});
+    const auto add = [&](const QString& name, const QString& text, const QString& key, float steps) {
+        actions.add({name,
+                     "Edit",
+                     text,
+                     key,
+                     "",
+                     [&app, steps](const QStringList&) { return drive_on(app, steps); },
+                     {}});
+    };
+    add("mover-on", "Drive its mover on: 0.1 m up, 5 degrees", "Alt+PgUp", 1);
+    add("mover-back", "Drive its mover back: 0.1 m down, 5 degrees", "Alt+PgDown", -1);
+    actions.add({"motion", "Play", "Heads and movers go as machines do", "", "[commanded|machine]",
+                 [&app](const QStringList& words) { return set_motion(app, words.value(0)); },
+                 [&app] {
+                     return app.show() && app.request().motion.value_or(app.show()->motion) ==
+                                              fixture::Motion::as_the_machine;
+                 }});
 }
 
 void add_fixture_actions(Actions& actions, AppModel& app) {
@@ -207,13 +265,6 @@ void add_scene_actions(Actions& actions, AppModel& app) {
                      return {};
                  },
                  {}});
-    actions.add({"mover",
-                 "",
-                 "mover",
-                 "",
-                 "NAME VALUE...|off",
-                 [&app](const QStringList& words) { return drive_mover_by_name(app, words); },
-                 {}});
     actions.add({"samples",
                  "",
                  "samples",
@@ -326,6 +377,27 @@ QColor screen_colour(const glm::vec3& rec2020) {
                             image::linear_to_srgb(rgb.z));
 }
 
+Result<std::size_t> mover_called(const AppModel& app, const QString& words) {
+    TRY_VOID(need_show(app));
+    std::vector<std::string> names;
+    for (const scene::Mover& mover : app.show()->movers) names.push_back(mover.name);
+    const std::string name = words.toStdString();
+    const auto found = std::find(names.begin(), names.end(), name);
+    if (found == names.end())
+        return Error{"the show has no mover '" + name + "'" + did_you_mean(name, names), ""};
+    return static_cast<std::size_t>(found - names.begin());
+}
+
+std::vector<float> mover_goals(const AppModel& app, std::size_t mover) {
+    std::vector<float> goals;
+    if (const auto by_hand = app.look().movers.find(mover); by_hand != app.look().movers.end())
+        goals = by_hand->second;
+    else if (mover < app.rig().movers.size())
+        goals = app.rig().movers[mover].goals;
+    goals.resize(app.show()->movers[mover].axes.size());
+    return goals;
+}
+
 void drive_mover(AppModel& app, std::size_t mover, std::vector<float> values) {
     Look look = app.look();
     const bool lets_go = values.empty();
@@ -364,6 +436,7 @@ QString words_of(const Look& look) {
 void add_programmer_actions(Actions& actions, AppModel& app) {
     add_fixture_actions(actions, app);
     add_scene_actions(actions, app);
+    add_mover_actions(actions, app);
 }
 
 } // namespace ghost::ui

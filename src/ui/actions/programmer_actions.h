@@ -55,6 +55,10 @@ Result<std::string> attribute_named(const AppModel& app, const QString& words);
 // Of the haze along a ray through one beam; nothing: as many as the program finds good.
 void change_samples(AppModel& app, std::optional<int> samples);
 
+// Of the show, by name.
+Result<std::size_t> mover_called(const AppModel& app, const QString& name);
+// Where the axes of a mover go, for each one: what a hand asks for, else what drives it.
+std::vector<float> mover_goals(const AppModel& app, std::size_t mover);
 // Values of all axes of a mover (index of the show); empty: what drives it else.
 void drive_mover(AppModel& app, std::size_t mover, std::vector<float> values);
 

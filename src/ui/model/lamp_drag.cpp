@@ -9,9 +9,6 @@
 namespace ghost::ui {
 namespace {
 
-constexpr float kBeside_m = 0.5f;   // of a bar's middle line, beyond its own half width
-constexpr float kAbove_m = 0.6f;    // of a fixture's place: a bar's underside
-constexpr float kBelow_m = 0.3f;    // likewise: clamps reach round it
 constexpr float kMost_m = 100;      // that a mouse drags
 constexpr float kLeastSine = 0.02f; // between a line of sight and what it runs along
 
@@ -36,16 +33,9 @@ LampDrag::LampDrag(const glm::vec3& place_m, const std::vector<Object>& objects)
     float nearest_m = INFINITY;
     std::optional<std::size_t> nearest;
     for (std::size_t k = 0; k < pieces.size(); ++k) {
-        const scene::Bar& bar = pieces[k];
-        const float length_m = bar.length_m();
-        const glm::vec3 along = (bar.to_m - bar.from_m) / length_m;
-        const float at_m = glm::dot(place_m - bar.from_m, along);
-        const glm::vec3 off = bar.from_m + along * at_m - place_m;
-        const float beside_m = std::hypot(off.x, off.y);
-        if (at_m < 0 || at_m > length_m || off.z > kAbove_m || off.z < -kBelow_m - bar.height_m ||
-            beside_m > kBeside_m + bar.across_m / 2 || glm::length(off) >= nearest_m)
-            continue;
-        nearest_m = glm::length(off);
+        const std::optional<float> away_m = scene::hangs_away_m(pieces[k], place_m);
+        if (!away_m || *away_m >= nearest_m) continue;
+        nearest_m = *away_m;
         nearest = k;
     }
     if (!nearest) return;

@@ -2,6 +2,8 @@
 #include "ui/model/look_fade.h"
 #include "show/show.h"
 
+#include <cmath>
+
 namespace ghost::ui {
 namespace {
 
@@ -72,6 +74,23 @@ Programmer mixed(const Programmer& from, const Programmer& to, const Faded& fade
     return result;
 }
 
+// A side that does not hold it asks for what drives it else.
+std::map<std::size_t, std::vector<float>> mixed_movers(const Look& from, const Look& to, const RigNow& now,
+                                                       float share) {
+    std::map<std::size_t, std::vector<float>> movers = from.movers;
+    movers.insert(to.movers.begin(), to.movers.end());
+    for (auto& [index, values] : movers) {
+        const auto asked_by = [&, index = index](const Look& side) -> std::vector<float> {
+            if (const auto held = side.movers.find(index); held != side.movers.end()) return held->second;
+            return index < now.movers.size() ? now.movers[index].asked : std::vector<float>{};
+        };
+        const std::vector<float> a = asked_by(from), b = asked_by(to);
+        if (a.size() != values.size() || b.size() != values.size()) continue;
+        for (std::size_t k = 0; k < values.size(); ++k) values[k] = std::lerp(a[k], b[k], share);
+    }
+    return movers;
+}
+
 template <class T>
 void keep(std::optional<T>& from, const std::optional<T>& before, const std::optional<T>& after) {
     if (before != after) from = after;
@@ -97,6 +116,7 @@ Look faded(const Look& from, const Look& to, const scene::Show& show, const RigN
                           index < now.fixtures.size() ? now.fixtures[index] : unknown};
         look.fixtures[index] = mixed(of(from, index), of(to, index), faded, share);
     }
+    look.movers = mixed_movers(from, to, now, share);
     const SceneLook &a = from.scene, &b = to.scene;
     look.scene.smoke = between(a.smoke, b.smoke, std::optional(1.0f), share);
     look.scene.ambient_lux = between(a.ambient_lux, b.ambient_lux, std::optional(show.ambient_lux), share);
@@ -131,6 +151,11 @@ void keep_changes(Look& from, const Look& before, const Look& after) {
         if (was.levels != is.levels) programmer.levels = is.levels;
         if (was.channels != is.channels) programmer.channels = is.channels;
     }
+    for (const auto& [index, values] : after.movers)
+        if (const auto was = before.movers.find(index); was == before.movers.end() || was->second != values)
+            from.movers[index] = values;
+    for (const auto& [index, values] : before.movers)
+        if (!after.movers.contains(index)) from.movers.erase(index);
     const SceneLook &was = before.scene, &is = after.scene;
     keep(from.scene.smoke, was.smoke, is.smoke);
     keep(from.scene.ambient_lux, was.ambient_lux, is.ambient_lux);

@@ -9,8 +9,8 @@
 namespace ghost::ui {
 
 // share: 0 from .. 1 to. What only one of them sets comes from, or goes to, what the desk asks for now; so
-// nothing jumps when a value is let go. Levels go along where they are quantities (fixture/programmer.h).
-// Gobos, shadows and attenuation change half-way, objects and surfaces at once.
+// nothing jumps when a value is let go. Levels go along where they are quantities (fixture/programmer.h);
+// movers go along. Gobos, shadows and attenuation change half-way, objects and surfaces at once.
 Look faded(const Look& from, const Look& to, const scene::Show& show, const RigNow& now, float share);
 
 // A hand changed `before` to `after` while a fade from `from` goes on: what it changed is at its end in

@@ -173,6 +173,11 @@ Result<void> Looks::put_in(scene::StoredLook look) {
     return {};
 }
 
+void Looks::add_movers(scene::StoredLook& look) const {
+    for (const auto& [index, values] : app_.look().movers)
+        if (index < app_.show()->movers.size()) look.movers[app_.show()->movers[index].name] = values;
+}
+
 Result<void> Looks::store(const std::string& name) {
     if (!app_.show()) return Error{"no show is open", ""};
     scene::StoredLook look;
@@ -181,7 +186,8 @@ Result<void> Looks::store(const std::string& name) {
     for (const auto& [index, programmer] : app_.look().fixtures)
         if (index < app_.show()->fixtures.size())
             look.fixtures[app_.show()->fixtures[index].name] = programmer;
-    if (look.fixtures.empty() && look.scene == scene::SceneLook{})
+    add_movers(look);
+    if (look.fixtures.empty() && look.movers.empty() && look.scene == scene::SceneLook{})
         return Error{"nothing is set by hand; 'look-capture' stores what a desk or recording does", ""};
     return put_in(std::move(look));
 }
@@ -191,6 +197,7 @@ Result<void> Looks::store_as_it_shines(const std::string& name) {
     scene::StoredLook look;
     look.name = name;
     look.scene = app_.look().scene;
+    add_movers(look);
     const fixture::Levels levels = levels_of(app_.rig().universes);
     const std::set<std::size_t>& chosen = app_.selection();
     for (std::size_t i = 0; i < app_.show()->fixtures.size(); ++i) {
@@ -210,6 +217,7 @@ Result<void> Looks::recall(const std::string& name, double seconds) {
     TRY(const std::size_t index, scene::find_look(looks_, name));
     Look look = app_.look();
     look.fixtures = scene::programmer_of(looks_[index], *app_.show());
+    look.movers = scene::movers_of(looks_[index], *app_.show());
     look.scene = looks_[index].scene;
     app_.fade_to(std::move(look), "look " + QString::fromStdString(name),
                  seconds < 0 ? static_cast<double>(looks_[index].fade_s) : seconds);
@@ -258,6 +266,7 @@ std::string Looks::current() const {
     if (!app_.show()) return "";
     const auto is_there = [&](const scene::StoredLook& look) {
         return app_.look().scene == look.scene &&
+               app_.look().movers == scene::movers_of(look, *app_.show()) &&
                app_.look().fixtures == scene::programmer_of(look, *app_.show());
     };
     // Of two that are alike the one that was asked for.

@@ -50,6 +50,7 @@ private:
     // Whether the file says something else than it did here; it is read then, as a step.
     bool take_changes();
     Result<void> put_in(scene::StoredLook look);
+    void add_movers(scene::StoredLook& look) const; // those under the hand
     Result<void> edit(const QString& what, List after);
     Result<void> write(const List& looks);
     // Where something is another than it was when it was published last.

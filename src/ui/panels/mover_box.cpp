@@ -2,61 +2,112 @@
 #include "ui/panels/mover_box.h"
 
 #include "show/show.h"
+#include "ui/actions/actions.h"
 #include "ui/actions/programmer_actions.h"
 
-namespace ghost::ui {
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QSignalBlocker>
 
-MoverBox::MoverBox(AppModel& app, QWidget* parent)
-    : QGroupBox("Movers", parent), app_(app), layout_(new QVBoxLayout(this)) {
-    connect(&app_, &AppModel::opened_show, this, &MoverBox::fill);
-    for (const auto signal : {&AppModel::look_changed, &AppModel::rig_came})
-        connect(&app_, signal, this, &MoverBox::refresh);
-    hide();
+namespace ghost::ui {
+namespace {
+
+// "1.101"; "": no channel drives its first axis.
+QString address_of(const scene::Mover& mover) {
+    if (mover.axes.empty() || mover.axes.front().levels.empty()) return QString();
+    const fixture::Address& first = mover.axes.front().levels.front();
+    return QString("%1.%2").arg(first.universe).arg(first.channel);
 }
 
-std::vector<float> MoverBox::values_of(std::size_t mover) const {
-    const auto by_hand = app_.look().movers.find(mover);
-    if (by_hand != app_.look().movers.end()) return by_hand->second;
-    if (mover < app_.rig().movers.size()) return app_.rig().movers[mover];
-    return {};
+} // namespace
+
+MoverBox::MoverBox(AppModel& app, QWidget* parent)
+    : QGroupBox("Movers", parent), app_(app), layout_(new QVBoxLayout(this)),
+      as_machine_(new QCheckBox("As machines go", this)) {
+    as_machine_->setToolTip("Within speed and acceleration of each; else at once where they are asked to be");
+    connect(as_machine_, &QCheckBox::clicked, this,
+            [this](bool on) { Q_EMIT asks_for(on ? "motion machine" : "motion commanded"); });
+    layout_->addWidget(as_machine_);
+    connect(&app_, &AppModel::opened_show, this, &MoverBox::fill);
+    for (const auto signal : {&AppModel::look_changed, &AppModel::rig_came, &AppModel::wishes_changed})
+        connect(&app_, signal, this, &MoverBox::refresh);
+    hide();
 }
 
 void MoverBox::fill() {
     for (const Row& row : rows_) delete row.row;
     rows_.clear();
+    // One of them may have asked for what is shown now.
+    for (QWidget* head : heads_) {
+        head->hide();
+        head->deleteLater();
+    }
+    heads_.clear();
     const std::vector<scene::Mover>& movers = app_.show()->movers;
     setVisible(!movers.empty());
-    for (std::size_t m = 0; m < movers.size(); ++m)
-        for (std::size_t a = 0; a < movers[m].axes.size(); ++a) {
-            const scene::MoverAxis& axis = movers[m].axes[a];
-            const QString unit = axis.is_angle ? " deg" : " m";
-            const QString name = QString::fromStdString(
-                movers[m].axes.size() == 1 ? movers[m].name : movers[m].name + ", " + axis.name);
-            auto* row = new ValueRow(
-                name, {static_cast<double>(axis.low), static_cast<double>(axis.high), 2, unit}, this);
-            row->setToolTip(QString("Of its way from %1 to %2%3; as the machine, within its speed")
-                                .arg(static_cast<double>(axis.low))
-                                .arg(static_cast<double>(axis.high))
-                                .arg(unit));
-            row->on_change = [this, m, a](double value) {
-                std::vector<float> values = values_of(m);
-                values.resize(app_.show()->movers[m].axes.size());
-                values[a] = static_cast<float>(value);
-                drive_mover(app_, m, std::move(values));
-            };
-            row->on_release = [this, m] { drive_mover(app_, m, {}); };
-            layout_->addWidget(row);
-            rows_.push_back({m, a, row});
-        }
+    for (std::size_t m = 0; m < movers.size(); ++m) {
+        add_head(m);
+        for (std::size_t a = 0; a < movers[m].axes.size(); ++a) add_row(m, a);
+    }
     refresh();
 }
 
+void MoverBox::add_head(std::size_t mover) {
+    const scene::Mover& of = app_.show()->movers[mover];
+    const QString name = QString::fromStdString(of.name);
+    auto* head = new QWidget(this);
+    auto* line = new QHBoxLayout(head);
+    line->setContentsMargins(0, 0, 0, 0);
+    line->addWidget(new QLabel(name, head), 1);
+    auto* address = new QLineEdit(address_of(of), head);
+    address->setPlaceholderText("no address");
+    address->setAccessibleName("Address of " + name);
+    address->setToolTip(
+        "Universe.address of its first axis, 16 bits each; the others follow. Return sets it.");
+    connect(address, &QLineEdit::editingFinished, this, [this, address, name, mover] {
+        if (mover >= app_.show()->movers.size() || address->text() == address_of(app_.show()->movers[mover]))
+            return;
+        const QString asked = "mover-address " + quoted(name) + " " + quoted(address->text());
+        address->setText(address_of(app_.show()->movers[mover])); // until the show has it
+        Q_EMIT asks_for(asked);
+    });
+    line->addWidget(address);
+    layout_->addWidget(head);
+    heads_.push_back(head);
+}
+
+void MoverBox::add_row(std::size_t mover, std::size_t axis) {
+    const scene::MoverAxis& of = app_.show()->movers[mover].axes[axis];
+    const QString unit = of.is_angle ? " deg" : " m";
+    auto* row = new ValueRow(QString::fromStdString(of.name),
+                             {static_cast<double>(of.low), static_cast<double>(of.high), 2, unit}, this);
+    row->setToolTip(QString("Of its way from %1 to %2%3; as the machine, within its speed")
+                        .arg(static_cast<double>(of.low))
+                        .arg(static_cast<double>(of.high))
+                        .arg(unit));
+    row->on_change = [this, mover, axis](double value) {
+        std::vector<float> values = mover_goals(app_, mover);
+        values[axis] = static_cast<float>(value);
+        drive_mover(app_, mover, std::move(values));
+    };
+    row->on_release = [this, mover] { drive_mover(app_, mover, {}); };
+    layout_->addWidget(row);
+    rows_.push_back({mover, axis, row});
+}
+
 void MoverBox::refresh() {
+    if (!app_.show()) return;
+    const QSignalBlocker quiet(as_machine_);
+    as_machine_->setChecked(app_.request().motion.value_or(app_.show()->motion) ==
+                            fixture::Motion::as_the_machine);
     for (const Row& row : rows_) {
-        const std::vector<float> values = values_of(row.mover);
-        if (row.axis < values.size())
-            row.row->show_value(static_cast<double>(values[row.axis]),
-                                app_.look().movers.contains(row.mover));
+        const bool by_hand = app_.look().movers.contains(row.mover);
+        std::vector<float> values;
+        if (by_hand)
+            values = mover_goals(app_, row.mover);
+        else if (row.mover < app_.rig().movers.size())
+            values = app_.rig().movers[row.mover].values;
+        if (row.axis < values.size()) row.row->show_value(static_cast<double>(values[row.axis]), by_hand);
     }
 }
 

@@ -39,7 +39,9 @@ ValueRow* scene_row(AppModel& app, const QString& name, const ValueRange& range,
 ScenePanel::ScenePanel(AppModel& app, QWidget* parent) : QWidget(parent), app_(app) {
     auto* layout = new QVBoxLayout(this);
     add_air(layout);
-    layout->addWidget(new MoverBox(app_, this));
+    auto* movers = new MoverBox(app_, this);
+    connect(movers, &MoverBox::asks_for, this, &ScenePanel::asks_for);
+    layout->addWidget(movers);
     add_stage(layout);
     connect(&app_, &AppModel::opened_show, this, &ScenePanel::fill);
     for (const auto signal :
@@ -104,6 +106,12 @@ void ScenePanel::add_stage(QLayout* layout) {
         if (const auto object = stage_->object()) Q_EMIT asks_to_hang(*object);
     });
     layout->addWidget(hang_);
+    fly_ = new QPushButton("Fly it on two hoists", this);
+    fly_->setToolTip("The truss with all its pieces and the fixtures under it; Movers above then drive it");
+    connect(fly_, &QPushButton::clicked, this, [this] {
+        if (stage_->object()) Q_EMIT asks_for("fly-on-hoists");
+    });
+    layout->addWidget(fly_);
     const auto surface_row = [&](const QString& name, const ValueRange& range,
                                  std::optional<float> SurfaceLook::*value, auto convert) {
         auto* row = new ValueRow(name, range, this);
@@ -169,6 +177,8 @@ void ScenePanel::refresh() {
     shadows_->setChecked(look.shadows.value_or(show.shadows));
     stage_->refresh();
     const auto object = stage_->object();
+    fly_->setEnabled(object && app_.opened().objects[*object].bar &&
+                     app_.opened().objects[*object].mover == scene::kNoMover);
     hang_->setEnabled(object && app_.opened().objects[*object].bar && !app_.selection().empty());
     specular_->setEnabled(material().has_value());
     shininess_->setEnabled(material().has_value());

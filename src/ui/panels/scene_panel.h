@@ -23,6 +23,7 @@ public:
 Q_SIGNALS:
     void asks_for_air();                   // what the show says of it: AirPanel
     void asks_to_hang(std::size_t object); // the selected fixtures under it
+    void asks_for(const QString& line);    // of a script
 
 private:
     void add_air(QLayout* layout);
@@ -39,6 +40,7 @@ private:
     QCheckBox* shadows_;
     StageTree* stage_;
     QPushButton* hang_;
+    QPushButton* fly_;
     ValueRow *specular_, *shininess_;
 };
 

@@ -21,6 +21,7 @@ struct OverlayChoice {
     bool addresses = false;
     bool aims = false;  // a line from each lamp along its beam
     bool marks = true;  // of what is selected
+    bool movers = true; // their ways, and where they go
     bool frame = true;  // of the camera, where the picture shows more
     bool probe = false; // cd/m^2 and lux of what is under the mouse
     bool operator==(const OverlayChoice&) const = default;

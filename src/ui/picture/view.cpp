@@ -73,7 +73,8 @@ View::View(AppModel& app, QWidget* parent) : QWidget(parent), app_(app), figures
     });
     // Marks and aims move with the rig, figures with everything.
     connect(&app_, &AppModel::rig_came, this, [this] {
-        if (overlays.aims || overlays.names || overlays.addresses || hovered_ || !app_.selection().empty())
+        if ((overlays.movers && !app_.show()->movers.empty()) || overlays.aims || overlays.names ||
+            overlays.addresses || hovered_ || !app_.selection().empty())
             update();
     });
     connect(&app_, &AppModel::picked_came, this, &View::select_picked);
@@ -83,7 +84,8 @@ View::View(AppModel& app, QWidget* parent) : QWidget(parent), app_(app), figures
     connect(&app_, &AppModel::opened_show, this, [this] {
         set_hovered(std::nullopt);
         if (!app_.opened().is_edit && !app_.opened().again) wipe_.end();
-        if (drag_ == Drag::lamp || drag_ == Drag::object) drag_ = Drag::none;
+        if (drag_ == Drag::lamp || drag_ == Drag::object || drag_ == Drag::mover) drag_ = Drag::none;
+        mover_.reset();
     });
     for (const auto signal :
          {&AppModel::selection_changed, &AppModel::marked_changed, &AppModel::activity_came,
@@ -131,6 +133,8 @@ void View::paintEvent(QPaintEvent*) {
     paint_picture(painter, place, *picture.image);
     wipe_.paint(painter, size());
     if (overlays.frame) paint_frame(painter, place, frame_rect(size(), app_.request().frame));
+    if (overlays.movers && !app_.show()->movers.empty())
+        paint_movers(painter, {app_.opened(), app_.rig(), place, picture.camera}, mover_);
     const SeenHeads heads{place, picture.camera, app_.rig(), app_.selection()};
     paint_fixtures(painter, heads, *app_.show(), {hovered_, why_hovered()}, overlays);
     if (drag_ == Drag::lamp) paint_moved(painter, heads, moved_by_m_, drag_at_, lamp_->words(moved_by_m_));
@@ -139,6 +143,8 @@ void View::paintEvent(QPaintEvent*) {
                      drag_ == Drag::object ? moved_by_m_ : glm::vec3(0));
     if (const auto handle = handle_of_object(); handle && drag_ != Drag::object)
         paint_handle(painter, *handle);
+    if (drag_ == Drag::mover && mover_)
+        paint_words(painter, drag_at_, value_words(*app_.show(), *mover_, mover_value_));
     if (drag_ == Drag::object) paint_words(painter, drag_at_, lamp_->words(moved_by_m_));
     if (picture.false_colour.measure != Measure::none) paint_legend(painter, size(), picture.false_colour);
     const double figures_px = overlays.figures ? paint_figures(painter, size(), figures_.lines()) : 0;

@@ -6,6 +6,7 @@
 #include "ui/model/app_model.h"
 #include "ui/model/figures.h"
 #include "ui/model/lamp_drag.h"
+#include "ui/picture/mover_marks.h"
 #include "ui/picture/overlays.h"
 #include "ui/picture/wipe.h"
 
@@ -54,7 +55,7 @@ protected:
     void leaveEvent(QEvent*) override;
 
 private:
-    enum class Drag { none, undecided, orbit, turn, pan, box, lamp, object, wipe };
+    enum class Drag { none, undecided, orbit, turn, pan, box, lamp, object, mover, wipe };
 
     void take_picture();
     void ask_for_size();
@@ -71,6 +72,9 @@ private:
     std::optional<QPointF> handle_of_object() const;
     bool is_on_handle(const QPointF& place) const;
     void drag_object(bool freely);
+    // Of the movers in sight; nothing: they have no marks.
+    std::optional<MoverHandle> mover_handle_at(const QPointF& place) const;
+    void drag_mover();
     void hover_at(const QPointF& place);
     void set_hovered(std::optional<std::size_t> fixture);
     QString why_hovered() const;
@@ -87,6 +91,8 @@ private:
     Wipe wipe_;
     std::optional<LampDrag> lamp_; // that is dragged
     glm::vec3 moved_by_m_{0};
+    std::optional<MoverHandle> mover_;   // whose handle has the mouse
+    float mover_value_ = 0;              // that it was dragged to
     std::optional<std::size_t> hovered_; // fixture
     QTimer hover_timer_;                 // until the mouse rests on it
     std::uint64_t picked_ = 0;           // number of the pick that a click waits for; 0: none

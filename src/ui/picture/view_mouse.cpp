@@ -2,6 +2,7 @@
 // The mouse in the picture: it selects, aims, drags lamps, and moves the camera.
 #include "show/camera_moves.h"
 #include "show/show.h"
+#include "ui/actions/programmer_actions.h"
 #include "ui/picture/view.h"
 
 #include <QMouseEvent>
@@ -47,6 +48,10 @@ void View::mousePressEvent(QMouseEvent* event) {
 // What a drag with the left button is that has begun: of a selected lamp, of a box, of the camera.
 View::Drag View::drag_of_left(Qt::KeyboardModifiers keys) {
     if (keys & Qt::ControlModifier) return Drag::box;
+    if (mover_ = mover_handle_at(drag_from_); mover_) {
+        mover_value_ = mover_goals(app_, mover_->mover)[mover_->axis];
+        return Drag::mover;
+    }
     if (is_on_handle(drag_from_)) {
         lamp_ = LampDrag(app_.opened().objects[*app_.marked()].centre_m, {});
         moved_by_m_ = glm::vec3(0);
@@ -90,9 +95,13 @@ void View::mouseMoveEvent(QMouseEvent* event) {
         drag_lamp(event->modifiers() & Qt::ShiftModifier);
     else if (drag_ == Drag::object)
         drag_object(event->modifiers() & Qt::ShiftModifier);
+    else if (drag_ == Drag::mover)
+        drag_mover();
     else if (drag_ == Drag::wipe)
         wipe_.set_share(drag_at_.x() / std::max(width(), 1));
-    if (drag_ == Drag::lamp || drag_ == Drag::object || drag_ == Drag::box || drag_ == Drag::wipe) update();
+    if (drag_ == Drag::lamp || drag_ == Drag::object || drag_ == Drag::mover || drag_ == Drag::box ||
+        drag_ == Drag::wipe)
+        update();
 }
 
 // The place that was taken hold of stays under the mouse.
@@ -119,9 +128,33 @@ void View::drag_object(bool freely) {
     if (!freely) moved_by_m_ = glm::round(moved_by_m_ * kFloorSteps) / kFloorSteps;
 }
 
+std::optional<MoverHandle> View::mover_handle_at(const QPointF& place) const {
+    if (!app_.show() || !overlays.movers || app_.show()->movers.empty()) return std::nullopt;
+    const QRectF picture = rect_of_picture();
+    const scene::Camera camera = camera_of_picture();
+    return handle_at({app_.opened(), app_.rig(), picture, camera}, place);
+}
+
+// What a hand asks for; the machine follows as fast as it can.
+void View::drag_mover() {
+    if (!mover_ || !app_.show() || mover_->mover >= app_.show()->movers.size()) return;
+    const QRectF picture = rect_of_picture();
+    const scene::Camera camera = camera_of_picture();
+    const float value =
+        dragged_value({app_.opened(), app_.rig(), picture, camera}, *mover_, drag_at_, mover_value_);
+    if (value == mover_value_) return;
+    mover_value_ = value;
+    std::vector<float> values = mover_goals(app_, mover_->mover);
+    if (mover_->axis >= values.size()) return;
+    values[mover_->axis] = value;
+    drive_mover(app_, mover_->mover, std::move(values));
+}
+
 void View::hover_at(const QPointF& place) {
     const auto hit = app_.show() ? lamp_at(place) : std::nullopt;
-    const bool moves = is_on_handle(place) || (hit && on_move && app_.selection().contains(*hit));
+    const auto mover = mover_handle_at(place);
+    if (mover != std::exchange(mover_, mover)) update();
+    const bool moves = mover || is_on_handle(place) || (hit && on_move && app_.selection().contains(*hit));
     setCursor(wipe_.is_near(size(), place.x()) ? Qt::SplitHCursor
               : moves                          ? Qt::SizeAllCursor
                                                : Qt::ArrowCursor);
@@ -146,6 +179,7 @@ QString View::why_hovered() const {
 
 void View::leaveEvent(QEvent*) {
     set_hovered(std::nullopt);
+    if (drag_ == Drag::none && std::exchange(mover_, std::nullopt)) update();
 }
 
 void View::probe_at(const QPointF& place) {
@@ -229,6 +263,8 @@ void View::mouseReleaseEvent(QMouseEvent* event) {
     } else if (drag == Drag::object) {
         if (const auto object = app_.marked(); object && moved_by_m_ != glm::vec3(0))
             on_move_object(*object, moved_by_m_);
+        update();
+    } else if (drag == Drag::mover) {
         update();
     } else if (drag == Drag::box) {
         std::set<std::size_t> selection =

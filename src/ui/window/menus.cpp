@@ -17,16 +17,17 @@ constexpr std::pair<const char*, const char*> kMenus[] = {
              "panel-export paperwork cue-book cancel-jobs - take-plot - quit"},
     {"Edit",
      "undo redo - select-all select-none select-similar find - hold release release-all - add-fixture "
-     "duplicate remove unpatch hang aim-through - distribute align-x align-y align-z nudge-left nudge-right "
-     "nudge-up-stage nudge-down-stage - set-stage add-model "
+     "duplicate remove unpatch hang fly-on-hoists aim-through - distribute align-x align-y align-z "
+     "nudge-left nudge-right "
+     "nudge-up-stage nudge-down-stage mover-on mover-back - set-stage add-model "
      "add-hazer substitute - take-changes drop-changes take-over"},
     {"View",
      "work-light black-out - false-lux false-luminance probe wipe - chips figures frame names addresses aims "
-     "marks - full-screen second-display second-window"},
+     "marks movers - full-screen second-display second-window"},
     {"Camera", "camera-1 camera-2 camera-3 camera-4 camera-5 camera-6 camera-7 camera-8 camera-9 - "
                "camera-strip keep-camera "
                "focus see-all - brighter darker auto-exposure tone tone-agx tone-aces tone-linear - baked"},
-    {"Play", "play to-start freeze - cue-go cue-back cue-follow - look-next look-before solo - "
+    {"Play", "play to-start freeze motion - cue-go cue-back cue-follow - look-next look-before solo - "
              "input-automatic input-desk "
              "input-recording - record play-recorded play-file play-own"},
     {"Quality",
@@ -86,7 +87,7 @@ void Menus::add_recent(QMenu& menu) {
 
 void Menus::fill_for_fixtures(QMenu& menu) {
     if (app_.selection().empty())
-        add(menu, "select-all find - see-all keep-camera work-light - add-fixture add-model");
+        add(menu, "select-all find - see-all keep-camera work-light - add-fixture add-model fly-on-hoists");
     else
         add(menu, "select-similar select-none - focus solo aim-through - hold release panel-programmer "
                   "panel-values - "

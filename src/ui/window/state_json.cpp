@@ -2,6 +2,7 @@
 #include "ui/window/private/state_json.h"
 #include "show/show.h"
 #include "ui/actions/bounce_edit.h"
+#include "ui/picture/mover_marks.h"
 
 #include <QJsonArray>
 
@@ -102,6 +103,21 @@ QJsonObject state_json(const AppModel& app, const View& view) {
         if (const auto at = to_widget(picture_rect(view.size(), picture.camera, picture.framed),
                                       picture.camera, app.rig().fixtures[i].light_m))
             lamps[QString::fromStdString(show.fixtures[i].name)] = QJsonArray{at->x(), at->y()};
+    QJsonObject movers;
+    const QRectF seen = picture_rect(view.size(), picture.camera, picture.framed);
+    const MoverScene scene{app.opened(), app.rig(), seen, picture.camera};
+    for (std::size_t m = 0; m < std::min(app.rig().movers.size(), show.movers.size()); ++m) {
+        const MoverNow& now = app.rig().movers[m];
+        QJsonArray values, goals, handles; // handles: in the view
+        for (std::size_t a = 0; a < std::min(now.values.size(), show.movers[m].axes.size()); ++a) {
+            values.append(static_cast<double>(now.values[a]));
+            goals.append(static_cast<double>(now.goals[a]));
+            const auto at = to_widget(seen, picture.camera, handle_at_m(scene, {m, a}, now.values[a]));
+            handles.append(at ? QJsonArray{at->x(), at->y()} : QJsonArray());
+        }
+        movers[QString::fromStdString(show.movers[m].name)] =
+            QJsonObject{{"values", values}, {"goals", goals}, {"handles", handles}};
+    }
     const QRectF frame = frame_rect(view.size(), app.request().frame); // in the view
     QJsonArray universes;
     for (const dmx::Universe& universe : app.rig().universes.list) universes.append(universe.number);
@@ -182,6 +198,7 @@ QJsonObject state_json(const AppModel& app, const View& view) {
             {"view", QJsonArray{corner.x(), corner.y(), view.width(), view.height()}},
             {"frame", QJsonArray{frame.x(), frame.y(), frame.width(), frame.height()}},
             {"lamps", lamps},
+            {"movers", movers},
             {"patch", patch},
             {"messages", static_cast<int>(app.messages().size())},
             {"picture", of_picture},

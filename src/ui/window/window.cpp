@@ -301,6 +301,7 @@ void Window::add_panels() {
         air->show();
         air->raise();
     });
+    connect(scene_panel, &ScenePanel::asks_for, this, [this](const QString& line) { actions_.choose(line); });
     connect(scene_panel, &ScenePanel::asks_to_hang, this, [this](std::size_t object) {
         if (const Result<void> done = hang_under(app_, document_, object); !done.ok())
             actions_.complain(done.error());
@@ -406,10 +407,10 @@ void Window::begin_where_there_is_light() {
 
 // What else would show nothing.
 void Window::say_done(const Action& action) {
-    static const std::set<QString> kSays{"keep-camera",   "hang",           "duplicate",       "remove",
-                                         "unpatch",       "distribute",     "add-fixture",     "add-model",
-                                         "set-stage",     "substitute",     "substitute-same", "move-object",
-                                         "palette-store", "palette-remove", "cue-add"};
+    static const std::set<QString> kSays{
+        "keep-camera",   "hang",           "duplicate", "remove",        "unpatch",         "distribute",
+        "add-fixture",   "add-model",      "set-stage", "substitute",    "substitute-same", "move-object",
+        "palette-store", "palette-remove", "cue-add",   "fly-on-hoists", "mover-address"};
     if (action.name == "save")
         toast_->say("Saved: " + QString::fromStdString(app_.show()->file.filename().string()));
     else if (kSays.contains(action.name))

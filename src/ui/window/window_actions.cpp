@@ -238,6 +238,7 @@ void Window::add_view_switches() {
     add("aims", "Where fixtures point", "L", &OverlayChoice::aims);
     add("frame", "Frame of the camera", "G", &OverlayChoice::frame);
     add("marks", "Marks of the selection", "M", &OverlayChoice::marks);
+    add("movers", "Movers: their ways, end stops and where they go", "", &OverlayChoice::movers);
 }
 
 void Window::set_full_screen(bool full) {

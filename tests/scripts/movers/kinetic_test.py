@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
 """The stage that travels (assets/kinetic): its files are those of its tool; on the way of its movers each picture is that of a scene in which
-everything stands there; a film has the same bytes twice; check names what meets, what goes through the floor and who is asked for too much.
+everything stands there; a film and a still have the same bytes twice; check names what meets, what goes through the floor and who is asked for too much.
 Usage: kinetic_test.py SOURCE_FOLDER BUILD_FOLDER."""
 import pathlib
 import re
@@ -41,6 +41,12 @@ def film_twice(top):
     assert first == [path.read_bytes() for path in sorted(top.glob("b-*.exr"))]
 
 
+def still_twice(top):
+    for name in ("a", "b"):
+        run(GHOST, "render", SHOW, "--at", 9, "--size", "96x54", "-o", top / f"still_{name}.exr", "--quiet")
+    assert (top / "still_a.exr").read_bytes() == (top / "still_b.exr").read_bytes()
+
+
 def check_names_what_goes_wrong(top):
     quiet = run(GHOST, "check", SHOW)
     assert " meets " not in quiet and "below the floor" not in quiet and "end stops" not in quiet, quiet
@@ -70,6 +76,7 @@ def main():
         files_are_those_of_the_tool(top)
         places_are_those_of_scenes_that_stand_there()
         film_twice(top)
+        still_twice(top)
         check_names_what_goes_wrong(top)
     return 0
 
