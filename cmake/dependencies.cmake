@@ -13,7 +13,7 @@ endif()
 find_package(TBB REQUIRED)
 find_package(meshoptimizer REQUIRED)
 find_package(GTest REQUIRED)
-find_package(Qt6 REQUIRED COMPONENTS Widgets Network)
+find_package(Qt6 REQUIRED COMPONENTS Widgets Network LinguistTools)
 find_package(PkgConfig REQUIRED)
 # Debian's CMake files of OpenEXR and libzip name Python modules and tools of other packages; pkg-config does not.
 pkg_check_modules(OPENEXR REQUIRED IMPORTED_TARGET OpenEXR)

@@ -6,6 +6,7 @@
 #include "show_folder/hang.h"
 #include "stage/overrides.h"
 #include "ui/actions/patch_edit.h"
+#include "ui/language/language.h"
 
 namespace ghost::ui {
 namespace {
@@ -37,7 +38,8 @@ Result<void> hang_under(AppModel& app, ShowDocument& document, std::size_t objec
     std::vector<glm::vec3> places = scene::places_under(scene::joined(*objects[object].bar, pieces), are_m);
     for (glm::vec3& place_m : places) place_m = in_millimetres(place_m);
     return PatchEdit(app, document)
-        .set_positions("Hang under '" + QString::fromStdString(objects[object].name) + "'", places);
+        .set_positions(
+            translated("Undo", "Hang under '%1'").arg(QString::fromStdString(objects[object].name)), places);
 }
 
 Result<void> hang(AppModel& app, ShowDocument& document, const QString& pattern) {
@@ -68,7 +70,7 @@ Result<void> hang(AppModel& app, ShowDocument& document, const QString& pattern)
 void add_hang_action(Actions& actions, AppModel& app, ShowDocument& document) {
     actions.add({"hang",
                  "Edit",
-                 "Hang under the nearest truss",
+                 translated("Action", "Hang under the nearest truss"),
                  "Ctrl+H",
                  "[OBJECT]",
                  [&app, &document](const QStringList& words) { return hang(app, document, words.value(0)); },

@@ -3,11 +3,12 @@
 
 #include "show/show.h"
 #include "ui/actions/programmer_actions.h"
+#include "ui/language/language.h"
 
 namespace ghost::ui {
 
 MoverBox::MoverBox(AppModel& app, QWidget* parent)
-    : QGroupBox("Movers", parent), app_(app), layout_(new QVBoxLayout(this)) {
+    : QGroupBox(translated("Movers", "Movers"), parent), app_(app), layout_(new QVBoxLayout(this)) {
     connect(&app_, &AppModel::opened_show, this, &MoverBox::fill);
     for (const auto signal : {&AppModel::look_changed, &AppModel::rig_came})
         connect(&app_, signal, this, &MoverBox::refresh);
@@ -29,15 +30,16 @@ void MoverBox::fill() {
     for (std::size_t m = 0; m < movers.size(); ++m)
         for (std::size_t a = 0; a < movers[m].axes.size(); ++a) {
             const scene::MoverAxis& axis = movers[m].axes[a];
-            const QString unit = axis.is_angle ? " deg" : " m";
+            const QString unit = axis.is_angle ? translated("Value", " deg") : " m";
             const QString name = QString::fromStdString(
                 movers[m].axes.size() == 1 ? movers[m].name : movers[m].name + ", " + axis.name);
             auto* row = new ValueRow(
                 name, {static_cast<double>(axis.low), static_cast<double>(axis.high), 2, unit}, this);
-            row->setToolTip(QString("Of its way from %1 to %2%3; as the machine, within its speed")
-                                .arg(static_cast<double>(axis.low))
-                                .arg(static_cast<double>(axis.high))
-                                .arg(unit));
+            row->setToolTip(
+                translated("Movers", "Of its way from %1 to %2%3; as the machine, within its speed")
+                    .arg(static_cast<double>(axis.low))
+                    .arg(static_cast<double>(axis.high))
+                    .arg(unit));
             row->on_change = [this, m, a](double value) {
                 std::vector<float> values = values_of(m);
                 values.resize(app_.show()->movers[m].axes.size());

@@ -22,12 +22,13 @@ struct WindowOptions {
     std::string fixtures;  // folder of fixture files that come with the program, or empty
     std::string script;    // file with lines of actions, run when the show is open; empty: none
     std::string socket;    // name of a local socket that takes the same lines; empty: none
+    std::string language;  // one of kLanguages, like "de"; empty: as it was chosen, else the desktop's
     bool remembers = true; // layout from the last time, and for the next
     int width = 0;         // of the window; 0: as it was, or what fits the screen
     int height = 0;
     bool full_screen = false;
-    bool draws_into_memory = false; // nobody sees it; for measurements without a display
-    bool takes_desk = true;         // false: nothing listens to a desk, and the window does not promise it
+    bool draws_into_memory = false;    // nobody sees it; for measurements without a display
+    bool takes_desk = true;            // false: nothing listens to a desk, and the window does not promise it
     web::Browsers* browsers = nullptr; // that the window switches on and off; null: it cannot
     // Starts what fills the link; what it returns is destroyed before the window is.
     std::function<std::shared_ptr<void>()> begin;
