@@ -9,7 +9,7 @@
 #include "cli/options/size_option.h"
 #include "cli/options/web_options.h"
 #include "live/engine/engine.h"
-#include "ui/language/language.h"
+#include "ui/language/language_choice.h"
 #include "ui/window/open_window.h"
 #include "web/browsers.h"
 

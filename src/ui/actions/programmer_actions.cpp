@@ -353,7 +353,7 @@ void change_samples(AppModel& app, std::optional<int> samples) {
 
 QString words_of(const Look& look) {
     QStringList words;
-    const auto number = [](const auto& all) { return static_cast<int>(all.size()); };
+    const auto number = [](const auto& all) { return all.size(); };
     if (!look.fixtures.empty())
         words << translated("By hand", "%n fixture(s)", nullptr, number(look.fixtures));
     if (look.scene != SceneLook{}) words << translated("By hand", "scene");

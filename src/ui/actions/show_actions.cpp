@@ -95,10 +95,10 @@ void about(QWidget& window, const AppModel& app) {
                                                        : QString::fromStdString(app.opened().device);
     auto* box = new QMessageBox(
         QMessageBox::NoIcon, translated("Action", "About Ghostlight"),
-        translated("Action", "<h3>Ghostlight ") GHOST_VERSION "</h3><p>" +
+        "<h3>Ghostlight " GHOST_VERSION "</h3><p>" +
             translated("Window", "See your light show before the truck is unloaded.") + "</p><p>" +
-            translated("Window", "Drawn on: %1").arg(device.toHtmlEscaped()) +
-            translated("Action", "</p><p>Qt ") + qVersion() + "</p><p>" +
+            translated("Window", "Drawn on: %1").arg(device.toHtmlEscaped()) + "</p><p>Qt " + qVersion() +
+            "</p><p>" +
             translated("Window", "Apache License 2.0. VARI*LITE and VL2500 are marks of their owners, who "
                                  "have no part in this.") +
             "</p>",

@@ -12,6 +12,18 @@
 namespace ghost::ui {
 namespace {
 
+// What Qt itself shows in this window, for where its own catalogue is not installed.
+[[maybe_unused]] constexpr const char* kOfQt[] = {
+    QT_TRANSLATE_NOOP("QShortcut", "Ctrl"),        QT_TRANSLATE_NOOP("QShortcut", "Shift"),
+    QT_TRANSLATE_NOOP("QShortcut", "Alt"),         QT_TRANSLATE_NOOP("QShortcut", "Space"),
+    QT_TRANSLATE_NOOP("QShortcut", "Esc"),         QT_TRANSLATE_NOOP("QShortcut", "Del"),
+    QT_TRANSLATE_NOOP("QShortcut", "Home"),        QT_TRANSLATE_NOOP("QShortcut", "PgUp"),
+    QT_TRANSLATE_NOOP("QShortcut", "PgDown"),      QT_TRANSLATE_NOOP("QShortcut", "Left"),
+    QT_TRANSLATE_NOOP("QShortcut", "Right"),       QT_TRANSLATE_NOOP("QShortcut", "Up"),
+    QT_TRANSLATE_NOOP("QShortcut", "Down"),        QT_TRANSLATE_NOOP("QPlatformTheme", "OK"),
+    QT_TRANSLATE_NOOP("QPlatformTheme", "Cancel"), QT_TRANSLATE_NOOP("QPlatformTheme", "Close"),
+    QT_TRANSLATE_NOOP("QPlatformTheme", "Open"),   QT_TRANSLATE_NOOP("QPlatformTheme", "Save")};
+
 std::unique_ptr<QTranslator> load(const QString& code) {
     auto translator = std::make_unique<QTranslator>();
     for (const Catalogue& one : catalogues())
@@ -58,10 +70,11 @@ const QString& language() {
     return chosen().code;
 }
 
-QString translated(const char* context, const char* source, const char* note, int count) {
+QString translated(const char* context, const char* source, const char* note, long long count) {
     QString text;
-    if (chosen().texts) text = chosen().texts->translate(context, source, note, count);
-    if (text.isEmpty() && count >= 0) text = english().translate(context, source, note, count);
+    if (chosen().texts) text = chosen().texts->translate(context, source, note, static_cast<int>(count));
+    if (text.isEmpty() && count >= 0)
+        text = english().translate(context, source, note, static_cast<int>(count));
     if (text.isEmpty()) text = QString::fromUtf8(source);
     if (count >= 0) text.replace("%n", QString::number(count));
     return text;

@@ -5,6 +5,8 @@
 // stand in the sources. What scripts, sockets, files, logs and the command line read is always English.
 // Window thread.
 
+#include "ui/language/language_choice.h"
+
 #include <QCoreApplication>
 #include <QString>
 
@@ -12,11 +14,6 @@
 
 namespace ghost::ui {
 
-struct LanguageChoice {
-    const char* code;
-    const char* name; // in itself
-};
-inline constexpr LanguageChoice kLanguages[] = {{"en", "English"}, {"de", "Deutsch"}};
 // Of the desktop's, the first that there is.
 QString language_of_system();
 
@@ -27,10 +24,12 @@ const QString& language();
 
 // A text of the window; lupdate collects them by this name. note: for whoever translates. count: replaces %n,
 // and chooses between one and many.
-QString translated(const char* context, const char* english, const char* note = nullptr, int count = -1);
+QString translated(const char* context, const char* english, const char* note = nullptr,
+                   long long count = -1);
 
 // A sentence of a room without Qt, as sentence_list.cpp knows them; another one as it is.
 QString said(const std::string& english);
+QString said(const char* english);
 QString said(const QString& english);
 
 } // namespace ghost::ui

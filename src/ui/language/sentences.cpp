@@ -18,6 +18,7 @@ constexpr qsizetype kLongest = 4000;
 constexpr qsizetype kKept = 1000; // sentences: the same ones are shown again and again
 
 struct Pattern {
+    QString part; // of it, the longest; what lacks it needs no closer look
     QRegularExpression english;
     QString german;               // or whatever the language is
     std::vector<int> numbers;     // of the %1 that each group stands for
@@ -32,13 +33,16 @@ Pattern pattern_of(const QString& source, const QString& text) {
     qsizetype from = 0;
     for (auto places = kPlace.globalMatch(source); places.hasNext();) {
         const QRegularExpressionMatch place = places.next();
-        form += QRegularExpression::escape(source.mid(from, place.capturedStart() - from));
+        const QString fixed = source.mid(from, place.capturedStart() - from);
+        if (fixed.size() > pattern.part.size()) pattern.part = fixed;
+        form += QRegularExpression::escape(fixed);
         const QChar before = place.capturedStart() > 0 ? source[place.capturedStart() - 1] : QChar();
         pattern.numbers.push_back(place.captured(1).toInt());
         pattern.are_quoted.push_back(before == '\'');
         form += before == '\'' ? "([^'\\n]*?)" : "(.+?)";
         from = place.capturedEnd();
     }
+    if (const QString last = source.mid(from); last.size() > pattern.part.size()) pattern.part = last;
     form += QRegularExpression::escape(source.mid(from));
     pattern.english =
         QRegularExpression("\\A" + form + "\\z", QRegularExpression::DotMatchesEverythingOption);
@@ -72,6 +76,7 @@ QString in_language(const QString& english, int depth) {
     if (const auto found = known.whole.find(english); found != known.whole.end()) return *found;
     if (depth == kDeepest || english.size() > kLongest) return english;
     for (const Pattern& pattern : known.all) {
+        if (!english.contains(pattern.part)) continue;
         const QRegularExpressionMatch match = pattern.english.match(english);
         if (!match.hasMatch()) continue;
         // At once, for a name may hold "%2".
@@ -108,6 +113,10 @@ QString said(const QString& english) {
     if (const auto found = known.find(english); found != known.end()) return *found;
     if (known.size() >= kKept) known.clear();
     return known[english] = in_language(english, 0);
+}
+
+QString said(const char* english) {
+    return said(QString::fromUtf8(english));
 }
 
 QString said(const std::string& english) {

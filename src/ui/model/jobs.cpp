@@ -20,7 +20,7 @@ const char* const kProgressEvery_s = "0.25";
 
 } // namespace
 
-QString state_name(Job::State state) {
+const char* state_name(Job::State state) {
     switch (state) {
     case Job::State::waits:
         return QT_TRANSLATE_NOOP("Jobs", "waits");

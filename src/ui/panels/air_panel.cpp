@@ -204,8 +204,7 @@ void AirPanel::show_haze() {
             QString::fromUtf8(preset.name.data(), static_cast<qsizetype>(preset.name.size()));
         const double per_m = preset.extinction_per_m();
         if (std::abs(per_m - is_per_m) < 1e-6) found = haze_->count();
-        haze_->addItem(
-            translated("Air", "%1, %2 per metre").arg(said(name.toStdString())).arg(per_m, 0, 'g', 4), name);
+        haze_->addItem(translated("Air", "%1, %2 per metre").arg(said(name)).arg(per_m, 0, 'g', 4), name);
     }
     if (found < 0) {
         found = haze_->count();

@@ -322,9 +322,8 @@ void BrowserPanel::show_keys(web::Server& server) {
 }
 
 void BrowserPanel::show_lookers(const std::vector<web::Looker>& lookers) {
-    QString text = lookers.empty()
-                       ? translated("Browsers", "Nobody looks on.")
-                       : translated("Browsers", "%n look(s) on:", nullptr, static_cast<int>(lookers.size()));
+    QString text = lookers.empty() ? translated("Browsers", "Nobody looks on.")
+                                   : translated("Browsers", "%n look(s) on:", nullptr, lookers.size());
     for (const web::Looker& looker : lookers)
         text += "\n" + (looker.controls ? translated("Browsers", "%1, %2, %3 pictures a second, may control")
                                         : translated("Browsers", "%1, %2, %3 pictures a second"))

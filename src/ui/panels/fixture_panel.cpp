@@ -230,7 +230,7 @@ void FixturePanel::show_group() {
 
 void FixturePanel::count() {
     const std::size_t all = app_.show() ? app_.show()->fixtures.size() : 0;
-    QString words = translated("Fixtures", "%n fixture(s)", nullptr, static_cast<int>(all));
+    QString words = translated("Fixtures", "%n fixture(s)", nullptr, all);
     if (!app_.selection().empty())
         words = translated("Fixtures", "%1, %2 selected").arg(words).arg(app_.selection().size());
     title_->setText(words);

@@ -160,9 +160,8 @@ void LookPanel::list_names() {
         auto* item = new QListWidgetItem(QString::fromStdString(look.name), list_);
         item->setData(Qt::UserRole, item->text());
         item->setFlags(item->flags() | Qt::ItemIsEditable);
-        item->setToolTip(
-            translated("Looks", "%n fixture(s), %1 s", nullptr, static_cast<int>(look.fixtures.size()))
-                .arg(static_cast<double>(look.fade_s), 0, 'f', 1));
+        item->setToolTip(translated("Looks", "%n fixture(s), %1 s", nullptr, look.fixtures.size())
+                             .arg(static_cast<double>(look.fade_s), 0, 'f', 1));
         if (item->text() == before) list_->setCurrentItem(item);
     }
     if (!list_->currentItem() && list_->count() > 0)
@@ -183,13 +182,12 @@ void LookPanel::refresh() {
     if (index.ok()) fade_->setValue(static_cast<double>(looks_.all()[*index].fade_s));
     solo_->setChecked(!app_.look().solo.empty());
     const std::size_t count = app_.selection().size();
-    solo_->setText(app_.look().solo.empty() ? translated("Looks", "Solo")
-                                            : translated("Looks", "Solo: %n shine(s)", nullptr,
-                                                         static_cast<int>(app_.look().solo.size())));
+    solo_->setText(app_.look().solo.empty()
+                       ? translated("Looks", "Solo")
+                       : translated("Looks", "Solo: %n shine(s)", nullptr, app_.look().solo.size()));
     solo_->setEnabled(count > 0 || !app_.look().solo.empty());
-    what_if_->setText(
-        count == 0 ? translated("Looks", "What if: select fixtures to try another gel or lamp")
-                   : translated("Looks", "What if %n fixture(s) had", nullptr, static_cast<int>(count)));
+    what_if_->setText(count == 0 ? translated("Looks", "What if: select fixtures to try another gel or lamp")
+                                 : translated("Looks", "What if %n fixture(s) had", nullptr, count));
     for (QWidget* widget : std::initializer_list<QWidget*>{gel_, lamp_, lamp_k_})
         widget->setEnabled(count > 0);
     fixture::Programmer programmer;

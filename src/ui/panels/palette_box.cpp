@@ -22,8 +22,7 @@ constexpr int kRows = 2; // of palettes that are seen without scrolling
 QString tip_of(const scene::Palette& palette) {
     if (palette.fixtures.empty())
         return translated("Palettes", "All heads: %1").arg(words_of(palette.values));
-    return translated("Palettes", "%n head(s), each its own", nullptr,
-                      static_cast<int>(palette.fixtures.size()));
+    return translated("Palettes", "%n head(s), each its own", nullptr, palette.fixtures.size());
 }
 
 // Of a colour, or of as many as fit beside each other.

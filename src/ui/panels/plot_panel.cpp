@@ -23,7 +23,7 @@ constexpr std::size_t kMostRows = 50;   // of files, each with widgets; as many 
 constexpr int kFixtures = Qt::UserRole; // role: which ones a line is about
 
 QString heads(std::size_t count) {
-    return translated("Plot", "%n head(s)", nullptr, static_cast<int>(count));
+    return translated("Plot", "%n head(s)", nullptr, count);
 }
 
 } // namespace
@@ -191,7 +191,7 @@ void PlotPanel::fill() {
             others.insert(others.end(), page->lightless[k].fixtures.begin(),
                           page->lightless[k].fixtures.end());
         if (const std::size_t more = page->lightless.size() - shown; more > 0)
-            add(*section, translated("Plot", "and %n file(s) more", nullptr, static_cast<int>(more)), others);
+            add(*section, translated("Plot", "and %n file(s) more", nullptr, more), others);
     }
     add_groups(translated("Plot", "Missing"), Severity::error, bad());
     add_groups(translated("Plot", "Guessed or repaired"), Severity::warning, accent());

@@ -246,7 +246,7 @@ void ProgrammerPanel::refresh() {
     }
     const std::size_t count = app_.selection().size();
     title_->setText(count == 1 ? QString::fromStdString(app_.show()->fixtures[*current].name)
-                               : translated("Fixtures", "%n fixture(s)", nullptr, static_cast<int>(count)));
+                               : translated("Fixtures", "%n fixture(s)", nullptr, count));
     const std::vector<FixtureNow>& now = app_.rig().fixtures;
     for (const Row& row : rows_) {
         const auto shown = [&](std::size_t index) {

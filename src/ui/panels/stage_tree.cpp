@@ -86,7 +86,7 @@ void StageTree::take_box(QTreeWidgetItem* item) {
         look.shown.erase(object.instance);
         if (on != object.shown) look.shown[object.instance] = on;
     }
-    const auto count = static_cast<int>(objects.size());
+    const std::size_t count = objects.size();
     app_.set_look(std::move(look), on ? translated("Undo", "show %n object(s)", nullptr, count)
                                       : translated("Undo", "hide %n object(s)", nullptr, count));
     refresh();

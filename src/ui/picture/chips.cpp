@@ -48,9 +48,8 @@ std::vector<Chip> chips_of(const AppModel& app) {
     if (!app.look().is_empty())
         chips.push_back({translated("Chips", "by hand: %1").arg(words_of(app.look())), accent()});
     if (picture.missing_maps > 0)
-        chips.push_back({translated("Chips", "%n light(s) throw no shadows yet", nullptr,
-                                    static_cast<int>(picture.missing_maps)),
-                         {}});
+        chips.push_back(
+            {translated("Chips", "%n light(s) throw no shadows yet", nullptr, picture.missing_maps), {}});
     if (app.bounce().state == BounceNow::State::makes_links)
         chips.push_back({translated("Chips", "bounced light: %1").arg(words_of(app.bounce())), {}});
     return chips;

@@ -61,7 +61,7 @@ void NoticeBar::say_without_optics() {
     if (heads > 0)
         ask(translated("Notice",
                        "%n head(s) have no optics in their files: what is seen of their light is assumed.",
-                       nullptr, static_cast<int>(heads)),
+                       nullptr, heads),
             {{translated("Notice", "What this plot has"), "panel-plot on"},
              {translated("Notice", "Close"), ""}});
 }

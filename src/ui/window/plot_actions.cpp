@@ -111,7 +111,7 @@ Result<void> substitute(AppModel& app, ShowDocument& document, const std::vector
     const QString what =
         all.size() == 1
             ? translated("Undo", "Substitute '%1'").arg(QString::fromStdString(all.front().wanted))
-            : translated("Undo", "Substitute %n fixture file(s)", nullptr, static_cast<int>(all.size()));
+            : translated("Undo", "Substitute %n fixture file(s)", nullptr, all.size());
     return document.edit(what, {std::move(text), app.look(), app.selection()});
 }
 

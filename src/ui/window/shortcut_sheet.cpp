@@ -23,7 +23,7 @@ constexpr std::pair<const char*, const char*> kMouse[] = {
     {QT_TRANSLATE_NOOP("Keys", "double click"),
      QT_TRANSLATE_NOOP("Keys", "go to a fixture; choose a set piece, which its cross moves")}};
 
-QString row(const QString& key, const QString& words) {
+QString key_row(const QString& key, const QString& words) {
     return QString("<tr><td><b>%1</b></td><td>%2</td></tr>").arg(key.toHtmlEscaped(), words.toHtmlEscaped());
 }
 
@@ -32,9 +32,9 @@ QString rows(const Actions& actions, const QString& menu) {
     for (const Action& action : actions.all()) {
         const QAction* item = actions.item(action.name);
         if (action.menu != menu || action.key.isEmpty() || !item->isVisible()) continue;
-        text +=
-            row(QKeySequence::listToString(item->shortcuts(), QKeySequence::NativeText).replace("; ", ", "),
-                item->text());
+        text += key_row(
+            QKeySequence::listToString(item->shortcuts(), QKeySequence::NativeText).replace("; ", ", "),
+            item->text());
     }
     return text;
 }
@@ -54,7 +54,8 @@ ShortcutSheet::ShortcutSheet(const Actions& actions, QWidget* parent) : QDialog(
             QString("<td valign='top'><h3>%1</h3><table cellpadding='2'>%2</table></td>").arg(title, body);
     };
     QString mouse;
-    for (const auto& [what, does] : kMouse) mouse += row(translated("Keys", what), translated("Keys", does));
+    for (const auto& [what, does] : kMouse)
+        mouse += key_row(translated("Keys", what), translated("Keys", does));
     add(translated("Keys", "In the picture"), mouse);
     for (const char* const menu : {"View", "Camera", "Edit", "Show", "Play", "Quality", "Panels", "Help"})
         add(translated("Menu", menu), rows(actions, menu));

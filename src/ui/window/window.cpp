@@ -456,8 +456,7 @@ void Window::show_status() {
         text = rig.universes.list.empty()
                    ? (listens ? translated("Notice", "Listening for a desk: nothing has come yet")
                               : translated("Notice", "No input: started with --no-desk"))
-                   : translated("Notice", "A desk: %n universe(s)", nullptr,
-                                static_cast<int>(rig.universes.list.size()));
+                   : translated("Notice", "A desk: %n universe(s)", nullptr, rig.universes.list.size());
     else if (rig.recording_s <= 0)
         text = app_.request().input == Input::recording
                    ? translated("Notice", "No recording: the show has none; a desk is not taken (Play menu)")
