@@ -10,7 +10,7 @@ function(ghost_translations room)
     foreach(catalogue ${catalogues})
         get_filename_component(language ${catalogue} NAME_WE)
         add_custom_command(OUTPUT ${folder}/${language}.qm
-            COMMAND Qt6::lrelease -silent -nounfinished ${catalogue} -qm ${folder}/${language}.qm
+            COMMAND ${LRELEASE} -silent -nounfinished ${catalogue} -qm ${folder}/${language}.qm
             DEPENDS ${catalogue} COMMENT "texts ${language}" VERBATIM)
         list(APPEND compiled ${folder}/${language}.qm)
     endforeach()

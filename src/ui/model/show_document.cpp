@@ -8,6 +8,8 @@
 #include "ui/language/language.h"
 #include "ui/model/private/undo_ids.h"
 
+#include <QLocale>
+
 #include <utility>
 
 namespace ghost::ui {

@@ -323,6 +323,11 @@ Result<void> Window::save_state(const QStringList& arguments) {
     state["looks"] = looks;
     state["look"] = QString::fromStdString(looks_.current());
     if (cues_.current()) state["cue"] = QString::fromStdString(cues_.all()[*cues_.current()].name);
+    QJsonObject titles;
+    for (const Action& action : actions_.all())
+        if (!action.menu.isEmpty()) titles[action.name] = actions_.item(action.name)->text();
+    state["language"] = language();
+    state["titles"] = titles;
     state["toast"] = toast_->words();
     state["notice"] = notice_->words();
     state["dark"] = static_cast<int>(
