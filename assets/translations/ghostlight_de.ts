@@ -4590,6 +4590,14 @@
         <source>nothing listens to browsers: View, In browsers...</source>
         <translation>nichts hört auf Browser: Ansicht, In Browsern ...</translation>
     </message>
+    <message>
+        <source>bounced light is &apos;%1&apos;, expected %2</source>
+        <translation>indirektes Licht ist &apos;%1&apos;, erwartet %2</translation>
+    </message>
+    <message>
+        <source>haze is &apos;%1&apos;, expected one of %2</source>
+        <translation>Dunst ist &apos;%1&apos;, erwartet eines von %2</translation>
+    </message>
 </context>
 <context>
     <name>Transport</name>

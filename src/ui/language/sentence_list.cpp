@@ -557,6 +557,8 @@ constexpr const char* kSentences[] = {
     QT_TRANSLATE_NOOP("Sentence", "this window keeps nothing: it was started with --forget"),
     QT_TRANSLATE_NOOP("Sentence", "'%1', expected off, or a port like 8010 or 0.0.0.0:8010"),
     QT_TRANSLATE_NOOP("Sentence", "nothing listens to browsers: View, In browsers..."),
+    QT_TRANSLATE_NOOP("Sentence", "bounced light is '%1', expected %2"),
+    QT_TRANSLATE_NOOP("Sentence", "haze is '%1', expected one of %2"),
 };
 
 } // namespace
