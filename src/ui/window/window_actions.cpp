@@ -165,7 +165,7 @@ void Window::add_window_actions() {
 void Window::add_languages() {
     language_ = QSettings().value("language").toString();
     const auto add = [this](const QString& name, const QString& code, const QString& text) {
-        actions_.add({"language-" + name, "View", text, "", "",
+        actions_.add({"language-" + name, "Language", text, "", "",
                       [this, code, text](const QStringList&) -> Result<void> {
                           if (!options_.remembers)
                               return Error{"this window keeps nothing: it was started with --forget", ""};
