@@ -165,7 +165,7 @@ void Window::add_window_actions() {
 void Window::add_languages() {
     language_ = QSettings().value("language").toString();
     const auto add = [this](const QString& name, const QString& code, const QString& text) {
-        actions_.add({"language-" + name, "Language", text, "", "",
+        actions_.add({"language-" + name, "", text, "", "",
                       [this, code, text](const QStringList&) -> Result<void> {
                           if (!options_.remembers)
                               return Error{"this window keeps nothing: it was started with --forget", ""};
@@ -325,7 +325,7 @@ Result<void> Window::save_state(const QStringList& arguments) {
     if (cues_.current()) state["cue"] = QString::fromStdString(cues_.all()[*cues_.current()].name);
     QJsonObject titles;
     for (const Action& action : actions_.all())
-        if (!action.menu.isEmpty()) titles[action.name] = actions_.item(action.name)->text();
+        if (action.text != action.name) titles[action.name] = actions_.item(action.name)->text();
     state["language"] = language();
     state["titles"] = titles;
     state["toast"] = toast_->words();

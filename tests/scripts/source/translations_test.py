@@ -104,7 +104,7 @@ def is_text(file, text, before, statement):
     return not (file.startswith(("actions/", "window/", "panels/", "picture/", "model/")) and (is_of_script(text) or is_key(text)))
 
 
-MENUS = {"Show", "Edit", "View", "Camera", "Play", "Quality", "Panels", "Help", "Language"}
+MENUS = {"Show", "Edit", "View", "Camera", "Play", "Quality", "Panels", "Help"}
 
 
 def used_texts():
