@@ -448,7 +448,7 @@
     </message>
     <message>
         <source>Cloud size</source>
-        <translation>Schwadengröße</translation>
+        <translation>Größe</translation>
     </message>
     <message>
         <source>Wind</source>
@@ -527,7 +527,7 @@
     </message>
     <message>
         <source>Bounced light</source>
-        <translation>Indirektes Licht</translation>
+        <translation>Indirektlicht</translation>
     </message>
     <message>
         <source>Light that surfaces and haze send on. The finer, the longer its links take to make, once for a stage, and each change of light to solve.</source>
@@ -2245,7 +2245,7 @@
     </message>
     <message>
         <source>Gobo \1 turn</source>
-        <translation>Gobo \1 Drehung</translation>
+        <translation>Gobo \1 Rot.</translation>
     </message>
     <message>
         <source>Prism \1</source>
@@ -2253,7 +2253,7 @@
     </message>
     <message>
         <source>Prism \1 turn</source>
-        <translation>Prisma \1 Drehung</translation>
+        <translation>Prisma \1 Rot.</translation>
     </message>
     <message>
         <source>Colour wheel \1</source>
@@ -2325,7 +2325,7 @@
     </message>
     <message>
         <source>Animation wheel</source>
-        <translation>Animationsrad</translation>
+        <translation>Animation</translation>
     </message>
     <message>
         <source>pan</source>
