@@ -14,6 +14,7 @@ find_package(TBB REQUIRED)
 find_package(meshoptimizer REQUIRED)
 find_package(GTest REQUIRED)
 find_package(Qt6 REQUIRED COMPONENTS Widgets Network)
+find_program(LRELEASE lrelease HINTS ${QT6_INSTALL_PREFIX}/${QT6_INSTALL_BINS} REQUIRED)
 find_package(PkgConfig REQUIRED)
 # Debian's CMake files of OpenEXR and libzip name Python modules and tools of other packages; pkg-config does not.
 pkg_check_modules(OPENEXR REQUIRED IMPORTED_TARGET OpenEXR)

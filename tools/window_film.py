@@ -60,7 +60,7 @@ class Window:
         path = str(Path(self.folder.name) / "socket")
         environment = dict(os.environ, DISPLAY=screen.name, XDG_CONFIG_HOME=self.folder.name)
         environment.pop("WAYLAND_DISPLAY", None)
-        self.process = subprocess.Popen([program, "open", show, "--forget", "--quiet", "--no-desk", "--size", size, "--socket", path], env=environment)
+        self.process = subprocess.Popen([program, "open", show, "--forget", "--quiet", "--language", "en", "--no-desk", "--size", size, "--socket", path], env=environment)
         self.socket = socket.socket(socket.AF_UNIX)
         self.socket.settimeout(WAIT_S)
         for _ in range(WAIT_S * 10):

@@ -54,7 +54,7 @@ def run(work, size, lines, hears=False):
     shutil.copytree(SOURCE / "assets/demo", work / "demo", ignore=shutil.ignore_patterns(".ghost"))
     script = work / "script.txt"
     script.write_text(("wait opened\n" if hears else BEGIN) + lines + "quit\n")
-    subprocess.run([str(PROGRAM), "open", str(work / "demo"), "--forget", "--quiet", *(("--interface", "lo") if hears else ("--no-desk",)), "--size", size, "--script", str(script)],
+    subprocess.run([str(PROGRAM), "open", str(work / "demo"), "--forget", "--quiet", "--language", "en", *(("--interface", "lo") if hears else ("--no-desk",)), "--size", size, "--script", str(script)],
                    env=dict(os.environ, QT_QPA_PLATFORM="offscreen", XDG_CONFIG_HOME=str(work)), check=True)
 
 

@@ -9,6 +9,7 @@
 #include "cli/options/size_option.h"
 #include "cli/options/web_options.h"
 #include "live/engine/engine.h"
+#include "ui/language/language_choice.h"
 #include "ui/window/open_window.h"
 #include "web/browsers.h"
 
@@ -17,6 +18,8 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <string>
+#include <vector>
 
 namespace ghost::app {
 namespace {
@@ -108,6 +111,14 @@ void add_open(CLI::App& app, int& exit_code) {
         ->type_name("FILE");
     command->add_option("--socket", a->window.socket, "take lines of actions from this local socket")
         ->type_name("NAME");
+    std::vector<std::string> languages;
+    for (const ui::LanguageChoice& one : ui::kLanguages) languages.emplace_back(one.code);
+    command
+        ->add_option(
+            "--language", a->window.language,
+            "of the window, this time; without it the one that was chosen there (View, Language), else "
+            "the desktop's")
+        ->check(CLI::IsMember(languages));
     command->add_flag("--forget", a->forget,
                       "neither take over the layout of the last time nor keep this one");
     command->add_flag("--no-desk", a->no_desk, "do not listen to a desk");

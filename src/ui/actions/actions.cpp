@@ -13,7 +13,8 @@ namespace ghost::ui {
 void Actions::add(Action action) {
     auto* item = new QAction(action.text, &window_);
     QList<QKeySequence> keys;
-    for (const QString& key : action.key.split("; ", Qt::SkipEmptyParts)) keys.append(QKeySequence(key));
+    for (const QString& key : action.key.split("; ", Qt::SkipEmptyParts))
+        keys.append(QKeySequence(key, QKeySequence::PortableText));
     item->setShortcuts(keys);
     item->setShortcutContext(Qt::WindowShortcut);
     item->setCheckable(static_cast<bool>(action.is_on));

@@ -26,7 +26,7 @@ struct FileQuestion {
 
 struct Action {
     QString name;      // for scripts: "black-out"
-    QString menu;      // "View"; empty: scripts only
+    QString menu;      // "View"; empty: for scripts, and for lists of its own
     QString text;      // "Black-out"
     QString key;       // "B"; empty: none. Several with "; " between them
     QString arguments; // of a script line, for people: "FILE"; empty: none, a switch takes "on" and "off"

@@ -5,6 +5,7 @@
 #include "show/camera_moves.h"
 #include "show/show.h"
 #include "ui/actions/programmer_actions.h"
+#include "ui/language/language.h"
 #include "ui/model/fan.h"
 
 #include <algorithm>
@@ -126,7 +127,7 @@ void add_aim_actions(Actions& actions, AppModel& app, Aiming& aiming) {
          {}});
     actions.add({"aim-through",
                  "Edit",
-                 "Aim at the middle of the picture",
+                 translated("Action", "Aim at the middle of the picture"),
                  "Ctrl+Shift+T",
                  "[X Y [SPREAD_M]]",
                  [&aiming](const QStringList& words) -> Result<void> {

@@ -3,6 +3,7 @@
 
 #include "show/haze_presets.h"
 #include "show/show.h"
+#include "ui/language/language.h"
 
 #include <algorithm>
 
@@ -55,40 +56,44 @@ Result<void> AirEdit::set_haze(const QString& words) {
     } else {
         return Error{"haze " + scene::no_such_haze_preset(words.toStdString()), ""};
     }
-    return edit("Haze", scene::edit_haze(document_.text(), haze));
+    return edit(translated("Undo", "Haze"), scene::edit_haze(document_.text(), haze));
 }
 
 Result<void> AirEdit::set_clouds(float unevenness) {
     TRY_VOID(document_.check_editable());
-    return edit("Clouds", scene::edit_haze(document_.text(), {.unevenness = unevenness}), Kind::clouds);
+    return edit(translated("Undo", "Clouds"), scene::edit_haze(document_.text(), {.unevenness = unevenness}),
+                Kind::clouds);
 }
 
 Result<void> AirEdit::set_cloud_size(float patch_m) {
     TRY_VOID(document_.check_editable());
-    return edit("Size of the clouds", scene::edit_haze(document_.text(), {.patch_m = patch_m}),
-                Kind::cloud_size);
+    return edit(translated("Undo", "Size of the clouds"),
+                scene::edit_haze(document_.text(), {.patch_m = patch_m}), Kind::cloud_size);
 }
 
 Result<void> AirEdit::set_wind(const glm::vec3& wind_m_s) {
     TRY_VOID(document_.check_editable());
-    return edit("Wind", scene::edit_haze(document_.text(), {.wind_m_s = wind_m_s}), Kind::wind);
+    return edit(translated("Undo", "Wind"), scene::edit_haze(document_.text(), {.wind_m_s = wind_m_s}),
+                Kind::wind);
 }
 
 Result<void> AirEdit::edit_hazer(std::size_t index, const scene::HazerEdit& hazer) {
     TRY_VOID(document_.check_editable());
-    return edit("Hazer", scene::edit_hazer(document_.text(), app_.show()->hazers, index, hazer));
+    return edit(translated("Undo", "Hazer"),
+                scene::edit_hazer(document_.text(), app_.show()->hazers, index, hazer));
 }
 
 Result<void> AirEdit::add_hazer(const glm::vec3& position_m) {
     TRY_VOID(document_.check_editable());
     scene::Hazer hazer;
     hazer.position_m = position_m;
-    return edit("Add a hazer", scene::add_hazer(document_.text(), hazer));
+    return edit(translated("Undo", "Add a hazer"), scene::add_hazer(document_.text(), hazer));
 }
 
 Result<void> AirEdit::remove_hazer(std::size_t index) {
     TRY_VOID(document_.check_editable());
-    return edit("Remove a hazer", scene::remove_hazer(document_.text(), app_.show()->hazers, index));
+    return edit(translated("Undo", "Remove a hazer"),
+                scene::remove_hazer(document_.text(), app_.show()->hazers, index));
 }
 
 Result<scene::HazerEdit> hazer_edit(const QString& what, const QStringList& numbers) {
@@ -155,7 +160,7 @@ void add_air_actions(Actions& actions, AppModel& app, ShowDocument& document) {
             TRY(const scene::HazerEdit change, hazer_edit(words.value(1), words.mid(2)));
             return edit.edit_hazer(index, change);
         });
-    add("add-hazer", "Add a hazer", "[X Y Z]",
+    add("add-hazer", translated("Action", "Add a hazer"), "[X Y Z]",
         [&app](AirEdit& edit, const QStringList& words) -> Result<void> {
             glm::vec3 place_m = app.camera().target_m;
             place_m.z = 0; // they stand on the floor

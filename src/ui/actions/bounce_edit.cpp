@@ -2,6 +2,7 @@
 #include "ui/actions/bounce_edit.h"
 
 #include "show_file/air_edit.h"
+#include "ui/language/language.h"
 
 #include <cmath>
 #include <iterator>
@@ -11,8 +12,9 @@ namespace {
 
 QString left_text(double seconds) {
     const auto whole = static_cast<int>(std::ceil(seconds));
-    return whole < 60 ? QString("%1 s").arg(whole)
-                      : QString("%1:%2 min").arg(whole / 60).arg(whole % 60, 2, 10, QChar('0'));
+    return whole < 60
+               ? QString("%1 s").arg(whole)
+               : translated("Bounced light", "%1:%2 min").arg(whole / 60).arg(whole % 60, 2, 10, QChar('0'));
 }
 
 QString in_ms(double ms) {
@@ -25,7 +27,7 @@ Result<void> set_bounce(AppModel& app, ShowDocument& document, scene::BounceDeta
     TRY_VOID(document.check_editable());
     TRY(const std::string text, scene::edit_bounce(document.text(), detail));
     stop_bounce(app, false);
-    return document.edit("Bounced light", {text, app.look(), app.selection()});
+    return document.edit(translated("Undo", "Bounced light"), {text, app.look(), app.selection()});
 }
 
 void stop_bounce(AppModel& app, bool stops) {
@@ -37,26 +39,29 @@ QString words_of(const BounceNow& bounce) {
     QString words;
     switch (bounce.state) {
     case BounceNow::State::off:
-        words = "no light bounces";
+        words = translated("Bounced light", "no light bounces");
         break;
     case BounceNow::State::makes_links:
-        words = QString("links are being made, %1 %").arg(std::lround(100 * bounce.made_share));
-        if (bounce.left_s) words += ", " + left_text(*bounce.left_s) + " left";
+        words = translated("Bounced light", "links are being made, %1 %")
+                    .arg(std::lround(100 * bounce.made_share));
+        if (bounce.left_s) words += translated("Jobs", ", %1 left").arg(left_text(*bounce.left_s));
         break;
     case BounceNow::State::stopped:
-        words = "its links were cancelled: no light bounces";
+        words = translated("Bounced light", "its links were cancelled: no light bounces");
         break;
     case BounceNow::State::failed:
-        words = "it cannot be made, Messages say why: no light bounces";
+        words = translated("Bounced light", "it cannot be made, Messages say why: no light bounces");
         break;
     case BounceNow::State::bounces:
-        words = bounce.solve_ms > 0 ? "solved in " + in_ms(bounce.solve_ms) +
-                                          " beside the picture, drawn in " + in_ms(bounce.draw_ms) + " of it"
-                                    : QString("is being solved");
+        words = bounce.solve_ms > 0
+                    ? translated("Bounced light", "solved in %1 beside the picture, drawn in %2 of it")
+                          .arg(in_ms(bounce.solve_ms), in_ms(bounce.draw_ms))
+                    : translated("Bounced light", "is being solved");
         break;
     }
     if (bounce.is_of_command_line)
-        words = QString("%1, by --bounce of the command line: ").arg(scene::name_of(bounce.detail)) + words;
+        words = translated("Bounced light", "%1, by --bounce of the command line: %2")
+                    .arg(said(scene::name_of(bounce.detail)), words);
     return words;
 }
 

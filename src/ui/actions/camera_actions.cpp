@@ -6,6 +6,7 @@
 #include "stage/box.h"
 #include "stage/overrides.h"
 #include "ui/actions/programmer_actions.h"
+#include "ui/language/language.h"
 
 #include <glm/gtc/constants.hpp>
 
@@ -140,21 +141,21 @@ void add_camera_actions(Actions& actions, AppModel& app) {
     for (int number = 1; number <= 9; ++number)
         actions.add({QString("camera-%1").arg(number),
                      "Camera",
-                     QString("Camera %1").arg(number),
+                     translated("Action", "Camera %1").arg(number),
                      QString::number(number),
                      "",
                      [&app, number](const QStringList&) { return go_to(app, QString::number(number)); },
                      {}});
     actions.add({"focus",
                  "Camera",
-                 "Look at the selection",
+                 translated("Action", "Look at the selection"),
                  "F",
                  "",
                  [&app](const QStringList&) { return focus(app, false); },
                  {}});
     actions.add({"see-all",
                  "Camera",
-                 "Look at the whole rig",
+                 translated("Action", "Look at the whole rig"),
                  "Home",
                  "",
                  [&app](const QStringList&) { return focus(app, true); },
@@ -172,7 +173,7 @@ void add_camera_actions(Actions& actions, AppModel& app) {
                  {}});
     actions.add({"brighter",
                  "Camera",
-                 "Expose brighter",
+                 translated("Action", "Expose brighter"),
                  "+; =",
                  "",
                  [&app](const QStringList&) {
@@ -181,14 +182,14 @@ void add_camera_actions(Actions& actions, AppModel& app) {
                  {}});
     actions.add({"darker",
                  "Camera",
-                 "Expose darker",
+                 translated("Action", "Expose darker"),
                  "-",
                  "",
                  [&app](const QStringList&) {
                      return expose(app, static_cast<double>(app.camera().ev100) + 0.5, false);
                  },
                  {}});
-    actions.add({"auto-exposure", "Camera", "Automatic exposure", "X", "",
+    actions.add({"auto-exposure", "Camera", translated("Action", "Automatic exposure"), "X", "",
                  [&app](const QStringList&) {
                      const bool automatic = app.camera().auto_exposure;
                      // What the picture has now is where the hand goes on.
@@ -197,7 +198,8 @@ void add_camera_actions(Actions& actions, AppModel& app) {
                                    !automatic);
                  },
                  [&app] { return app.camera().auto_exposure; }});
-    actions.add({"baked", "Camera", "Baked pictures where they are fresh", "", "[on|off]",
+    actions.add({"baked", "Camera", translated("Action", "Baked pictures where they are fresh"), "",
+                 "[on|off]",
                  [&app](const QStringList& words) -> Result<void> {
                      const QString word = words.value(0, app.request().takes_baked ? "off" : "on");
                      if (word != "on" && word != "off")
@@ -231,7 +233,7 @@ void add_camera_actions(Actions& actions, AppModel& app) {
                  {}});
     actions.add({"select-all",
                  "Edit",
-                 "Select all fixtures",
+                 translated("Action", "Select all fixtures"),
                  "Ctrl+A",
                  "",
                  [&app](const QStringList&) -> Result<void> {
@@ -244,7 +246,7 @@ void add_camera_actions(Actions& actions, AppModel& app) {
                  {}});
     actions.add({"select-none",
                  "Edit",
-                 "Select nothing",
+                 translated("Action", "Select nothing"),
                  "Esc",
                  "",
                  [&app](const QStringList&) -> Result<void> {

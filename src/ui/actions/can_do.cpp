@@ -21,7 +21,7 @@ const std::set<QString> kNeedEditable{"add-fixture", "duplicate", "remove",     
 } // namespace
 
 bool can_do(const QString& name, const AppModel& app, const ShowDocument& document) {
-    if (name.startsWith("panel-") || kNeedNothing.contains(name)) return true;
+    if (name.startsWith("panel-") || name.startsWith("language-") || kNeedNothing.contains(name)) return true;
     if (name == "take-plot") return app.plot().number > 0;
     if (name == "cancel-jobs") return app.jobs().is_busy();
     if (!app.show()) return false;

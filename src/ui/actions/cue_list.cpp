@@ -4,6 +4,7 @@
 #include "base/suggest.h"
 #include "show/show.h"
 #include "show_file/cue_edit.h"
+#include "ui/language/language.h"
 
 #include <algorithm>
 
@@ -133,7 +134,8 @@ Result<void> CueList::add(const QString& name, const QString& look) {
     for (int number = 2; name.isEmpty() && is_taken(cue.name); ++number)
         cue.name = wanted + " " + std::to_string(number);
     if (is_taken(cue.name)) return Error{"another cue is called '" + cue.name + "'", ""};
-    return edit("Add cue '" + QString::fromStdString(cue.name) + "'", scene::add_cue(document_.text(), cue));
+    return edit(translated("Undo", "Add cue '%1'").arg(QString::fromStdString(cue.name)),
+                scene::add_cue(document_.text(), cue));
 }
 
 Result<void> CueList::set(std::size_t index, const QString& what, const QString& words) {
@@ -171,19 +173,19 @@ Result<void> CueList::set(std::size_t index, const QString& what, const QString&
     }
     if (!cue.at_s && cue.camera.empty() && cue.look.empty())
         return Error{"a cue needs a look, a camera or a place in the recording", ""};
-    return edit("Cue", scene::edit_cue(document_.text(), all(), index, cue));
+    return edit(translated("Undo", "Cue"), scene::edit_cue(document_.text(), all(), index, cue));
 }
 
 Result<void> CueList::move(std::size_t index, int by) {
     TRY_VOID(document_.check_editable());
     const std::size_t lower = by < 0 ? index : index + 1;
     if (by > 0 && lower >= all().size()) return Error{"this is the last cue", ""};
-    return edit("Move cue", scene::move_cue_up(document_.text(), all(), lower));
+    return edit(translated("Undo", "Move cue"), scene::move_cue_up(document_.text(), all(), lower));
 }
 
 Result<void> CueList::remove(std::size_t index) {
     TRY_VOID(document_.check_editable());
-    return edit("Remove cue", scene::remove_cue(document_.text(), all(), index));
+    return edit(translated("Undo", "Remove cue"), scene::remove_cue(document_.text(), all(), index));
 }
 
 namespace {
@@ -215,10 +217,11 @@ void add_cue_actions(Actions& actions, CueList& cues) {
                      std::move(run),
                      {}});
     };
-    add("cue-go", "Go: the next cue", "Ctrl+G", "", [&cues](const QStringList&) { return cues.go(); });
-    add("cue-back", "Back: the cue before", "Ctrl+Shift+G", "",
+    add("cue-go", translated("Action", "Go: the next cue"), "Ctrl+G", "",
+        [&cues](const QStringList&) { return cues.go(); });
+    add("cue-back", translated("Action", "Back: the cue before"), "Ctrl+Shift+G", "",
         [&cues](const QStringList&) { return cues.back(); });
-    actions.add({"cue-follow", "Play", "Cues follow the recording", "", "",
+    actions.add({"cue-follow", "Play", translated("Action", "Cues follow the recording"), "", "",
                  [&cues](const QStringList&) -> Result<void> {
                      cues.set_follows_recording(!cues.follows_recording());
                      return {};

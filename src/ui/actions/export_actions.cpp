@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/actions/export_actions.h"
 #include "show/show.h"
+#include "ui/language/language.h"
 
 namespace ghost::ui {
 namespace {
@@ -103,7 +104,7 @@ void add_export_actions(Actions& actions, AppModel& app, Exporter& exporter) {
             });
     actions.add({"cancel-jobs",
                  "Show",
-                 "Cancel what runs in the background",
+                 translated("Action", "Cancel what runs in the background"),
                  "",
                  "",
                  [&app](const QStringList&) -> Result<void> {

@@ -4,6 +4,7 @@
 #include "disk/files.h"
 #include "show/looks.h"
 #include "show/show.h"
+#include "ui/language/language.h"
 #include "ui/model/look_fade.h"
 
 #include <QCryptographicHash>
@@ -36,7 +37,7 @@ std::string hash_of(const std::string& text) {
 void give_to_farm(const QString& farm, QStringList& words, QString& title) {
     if (farm.isEmpty()) return;
     words << "--farm" << farm;
-    title += " on the farm";
+    title = translated("Jobs", "%1 on the farm").arg(title);
 }
 
 Result<void> check_file(const QString& file, const QStringList& endings) {
@@ -117,7 +118,8 @@ Result<int> Exporter::bake(const BakeWish& wish) {
         TRY_VOID(app_.show()->find_camera(wish.camera.toStdString()));
         words << "--view" << wish.camera;
     }
-    QString title = wish.camera.isEmpty() ? QString("Bake all cameras") : "Bake " + wish.camera;
+    QString title = wish.camera.isEmpty() ? translated("Jobs", "Bake all cameras")
+                                          : translated("Jobs", "Bake %1").arg(wish.camera);
     give_to_farm(wish.farm, words, title);
     return app_.jobs().start(title, words);
 }
@@ -153,7 +155,8 @@ Result<int> Exporter::render(const PictureWish& wish) {
                      "'save-picture' saves what a desk does now",
                      ""};
     words += look;
-    QString title = (is_film ? "Film " : "Still ") + QFileInfo(wish.file).fileName();
+    QString title = (is_film ? translated("Jobs", "Film %1") : translated("Jobs", "Still %1"))
+                        .arg(QFileInfo(wish.file).fileName());
     give_to_farm(wish.farm, words, title);
     return app_.jobs().start(title, words);
 }
@@ -168,7 +171,7 @@ Result<int> Exporter::sheet(const QString& file, int width, int height) {
     const bool plays = !app_.show()->recording.empty() && !app_.rig().from_desk;
     if (plays && app_.request().recording.empty()) words << "--at" << QString::number(app_.rig().at_s);
     words += tone_arguments();
-    return app_.jobs().start("Contact sheet " + QFileInfo(file).fileName(), words);
+    return app_.jobs().start(translated("Jobs", "Contact sheet %1").arg(QFileInfo(file).fileName()), words);
 }
 
 Result<int> Exporter::print(const QString& command, const QString& folder, const QStringList& options) {

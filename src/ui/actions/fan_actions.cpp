@@ -4,6 +4,7 @@
 #include "base/suggest.h"
 #include "show/show.h"
 #include "ui/actions/programmer_actions.h"
+#include "ui/language/language.h"
 #include "ui/model/head_parameters.h"
 
 #include <QColor>
@@ -161,7 +162,8 @@ Result<void> fan_selected(AppModel& app, const FanWish& wish) {
     for (std::size_t k = 0; k < heads.size(); ++k)
         set_value(app.show()->fixtures[heads[k]], wish.word, between(wish, a, b, k, heads.size()),
                   look.fixtures[heads[k]]);
-    app.set_look(std::move(look), "fan " + QString::fromStdString(wish.word), step_of(wish.word));
+    app.set_look(std::move(look), translated("Undo", "fan %1").arg(QString::fromStdString(wish.word)),
+                 step_of(wish.word));
     return {};
 }
 
@@ -187,7 +189,7 @@ Result<void> align_values(AppModel& app, const std::string& word, AlignTo to) {
     for (const std::size_t head : heads)
         for (const auto& [name, value] : values)
             set_value(app.show()->fixtures[head], name, value, look.fixtures[head]);
-    app.set_look(std::move(look), "align " + QString::fromStdString(word));
+    app.set_look(std::move(look), translated("Undo", "align %1").arg(QString::fromStdString(word)));
     return {};
 }
 
@@ -220,7 +222,7 @@ void add_fan_actions(Actions& actions, AppModel& app) {
                  {}});
     actions.add({"hold",
                  "Edit",
-                 "Hold what the desk asks of the selected fixtures",
+                 translated("Action", "Hold what the desk asks of the selected fixtures"),
                  "H",
                  "",
                  [&app](const QStringList&) { return hold_selected(app); },

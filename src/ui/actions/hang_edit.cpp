@@ -10,6 +10,7 @@
 #include "ui/actions/object_edit.h"
 #include "ui/actions/patch_edit.h"
 #include "ui/actions/programmer_actions.h"
+#include "ui/language/language.h"
 
 #include <algorithm>
 #include <cmath>
@@ -125,7 +126,8 @@ Result<void> hang_under(AppModel& app, ShowDocument& document, std::size_t objec
     std::vector<glm::vec3> places = scene::places_under(scene::joined(*objects[object].bar, pieces), are_m);
     for (glm::vec3& place_m : places) place_m = in_millimetres(place_m);
     return PatchEdit(app, document)
-        .set_positions("Hang under '" + QString::fromStdString(objects[object].name) + "'", places);
+        .set_positions(
+            translated("Undo", "Hang under '%1'").arg(QString::fromStdString(objects[object].name)), places);
 }
 
 Result<void> hang(AppModel& app, ShowDocument& document, const QString& pattern) {
@@ -185,7 +187,7 @@ Result<void> fly_on_hoists(AppModel& app, ShowDocument& document, std::size_t ob
 void add_hang_action(Actions& actions, AppModel& app, ShowDocument& document) {
     actions.add({"fly-on-hoists",
                  "Edit",
-                 "Fly the chosen truss on two hoists",
+                 translated("Action", "Fly the chosen truss on two hoists"),
                  "Ctrl+Shift+H",
                  "[OBJECT]",
                  [&app, &document](const QStringList& words) -> Result<void> {
@@ -202,7 +204,7 @@ void add_hang_action(Actions& actions, AppModel& app, ShowDocument& document) {
                  {}});
     actions.add({"hang",
                  "Edit",
-                 "Hang under the nearest truss",
+                 translated("Action", "Hang under the nearest truss"),
                  "Ctrl+H",
                  "[OBJECT]",
                  [&app, &document](const QStringList& words) { return hang(app, document, words.value(0)); },

@@ -3,6 +3,7 @@
 #include "ui/actions/look_actions.h"
 
 #include "image/colour.h"
+#include "ui/language/language.h"
 
 #include <QColor>
 
@@ -18,7 +19,7 @@ Result<void> set_solo(AppModel& app, const QStringList& words) {
         return Error{"'" + words[0].toStdString() + "' is neither on nor off", ""};
     if (on) TRY_VOID(need_selection(app));
     look.solo = on ? app.selection() : std::set<std::size_t>{};
-    app.set_look(std::move(look), on ? "solo" : "end of solo");
+    app.set_look(std::move(look), on ? translated("Undo", "solo") : translated("Undo", "end of solo"));
     return {};
 }
 
@@ -90,11 +91,12 @@ void add_look_actions(Actions& actions, AppModel& app, Looks& looks) {
     });
     add("look-remove", "", "", "NAME",
         [&looks, word](const QStringList& words) { return looks.remove(word(words, 0)); });
-    add("look-next", "Next look", "Ctrl+PgDown", "", [&looks](const QStringList&) { return looks.step(1); });
-    add("look-before", "Look before", "Ctrl+PgUp", "",
+    add("look-next", translated("Action", "Next look"), "Ctrl+PgDown", "",
+        [&looks](const QStringList&) { return looks.step(1); });
+    add("look-before", translated("Action", "Look before"), "Ctrl+PgUp", "",
         [&looks](const QStringList&) { return looks.step(-1); });
-    actions.add({"solo", "Play", "Solo: the selected fixtures alone shine", "O", "[on|off]",
-                 [&app](const QStringList& words) { return set_solo(app, words); },
+    actions.add({"solo", "Play", translated("Action", "Solo: the selected fixtures alone shine"), "O",
+                 "[on|off]", [&app](const QStringList& words) { return set_solo(app, words); },
                  [&app] { return !app.look().solo.empty(); }});
     add("gel", "", "", "#RRGGBB|off", [&app](const QStringList& words) { return set_gel(app, words); });
     add("lamp", "", "", "FACTOR [KELVIN]|off",

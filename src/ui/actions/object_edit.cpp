@@ -7,6 +7,7 @@
 #include "show_file/object_edit.h"
 #include "stage/overrides.h"
 #include "ui/actions/patch_edit.h"
+#include "ui/language/language.h"
 
 #include <algorithm>
 
@@ -61,7 +62,7 @@ Result<void> move_object(AppModel& app, ShowDocument& document, std::size_t obje
                      ""};
     const glm::vec3 move_m = glm::round((moved_m(*app.show(), name) + by_m) * 1000.0f) / 1000.0f;
     TRY(std::string text, scene::set_object_move(document.text(), name, move_m));
-    return document.edit("Move '" + QString::fromStdString(name) + "'",
+    return document.edit(translated("Undo", "Move '%1'").arg(QString::fromStdString(name)),
                          {std::move(text), app.look(), app.selection()});
 }
 
@@ -97,11 +98,11 @@ void add_object_actions(Actions& actions, AppModel& app, ShowDocument& document)
                      return move_object(app, document, object, by_m);
                  },
                  {}});
-    const auto nudge = [&](const QString& name, const QString& where, const QString& key,
+    const auto nudge = [&](const QString& name, const QString& text, const QString& key,
                            const glm::vec3& way) {
         actions.add({"nudge-" + name,
                      "Edit",
-                     "Move by 0.1 m " + where,
+                     text,
                      key,
                      "",
                      [&app, &document, way](const QStringList&) -> Result<void> {
@@ -113,10 +114,10 @@ void add_object_actions(Actions& actions, AppModel& app, ShowDocument& document)
                      },
                      {}});
     };
-    nudge("left", "to the left", "Alt+Left", {-1, 0, 0});
-    nudge("right", "to the right", "Alt+Right", {1, 0, 0});
-    nudge("up-stage", "up-stage", "Alt+Up", {0, 1, 0});
-    nudge("down-stage", "down-stage", "Alt+Down", {0, -1, 0});
+    nudge("left", translated("Action", "Move by 0.1 m to the left"), "Alt+Left", {-1, 0, 0});
+    nudge("right", translated("Action", "Move by 0.1 m to the right"), "Alt+Right", {1, 0, 0});
+    nudge("up-stage", translated("Action", "Move by 0.1 m up-stage"), "Alt+Up", {0, 1, 0});
+    nudge("down-stage", translated("Action", "Move by 0.1 m down-stage"), "Alt+Down", {0, -1, 0});
 }
 
 } // namespace ghost::ui

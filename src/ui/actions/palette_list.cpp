@@ -4,6 +4,7 @@
 #include "show/looks.h"
 #include "show/show.h"
 #include "show_file/palette_edit.h"
+#include "ui/language/language.h"
 #include "ui/model/palette_values.h"
 
 #include <algorithm>
@@ -45,7 +46,7 @@ Result<void> PaletteList::store(scene::PaletteKind kind, const QString& name) {
         palette.values = first;
         palette.fixtures.clear();
     }
-    const QString what = "Store palette '" + name + "'";
+    const QString what = translated("Undo", "Store palette '%1'").arg(name);
     const Result<std::size_t> before = scene::find_palette(all(), palette.name);
     if (!before.ok()) return edit(what, scene::add_palette(document_.text(), palette));
     return edit(what, scene::replace_palette(document_.text(), all(), *before, palette));
@@ -64,7 +65,7 @@ Result<void> PaletteList::give(const QString& name) {
         any = give_values(values, fixture, look.fixtures[head]) || any;
     }
     if (!any) return Error{"no selected fixture has anything of the palette '" + palette.name + "'", ""};
-    app_.set_look(std::move(look), "palette " + name);
+    app_.set_look(std::move(look), translated("Undo", "palette %1").arg(name));
     return {};
 }
 
@@ -74,13 +75,15 @@ Result<void> PaletteList::rename(const QString& name, const QString& to) {
     TRY_VOID(scene::check_stored_name("palette", to.toStdString()));
     if (name != to && scene::find_palette(all(), to.toStdString()).ok())
         return Error{"another palette is called '" + to.toStdString() + "'", ""};
-    return edit("Rename palette", scene::rename_palette(document_.text(), all(), index, to.toStdString()));
+    return edit(translated("Undo", "Rename palette"),
+                scene::rename_palette(document_.text(), all(), index, to.toStdString()));
 }
 
 Result<void> PaletteList::remove(const QString& name) {
     TRY_VOID(document_.check_editable());
     TRY(const std::size_t index, scene::find_palette(all(), name.toStdString()));
-    return edit("Remove palette '" + name + "'", scene::remove_palette(document_.text(), all(), index));
+    return edit(translated("Undo", "Remove palette '%1'").arg(name),
+                scene::remove_palette(document_.text(), all(), index));
 }
 
 void add_palette_actions(Actions& actions, PaletteList& palettes) {

@@ -3,11 +3,13 @@
 
 #include "dmx/wire/universes.h"
 #include "show/show.h"
+#include "ui/language/language.h"
 
 namespace ghost::ui {
 namespace {
 
-constexpr const char* kModels = "Models (*.glb *.gltf *.obj *.3ds);;All files (*)";
+constexpr const char* kModels =
+    QT_TRANSLATE_NOOP("Files", "Models (*.glb *.gltf *.obj *.3ds);;All files (*)");
 
 Result<glm::vec3> vector_of(const QStringList& words, const char* what, double most) {
     glm::vec3 numbers{0};
@@ -78,40 +80,42 @@ void add_patch_actions(Actions& actions, AppModel& app, ShowDocument& document) 
         return edit.align(axis);
     });
     for (const int axis : {0, 1, 2})
-        add(QString("align-") + "xyz"[axis], QString("Align %1 with the first").arg("XYZ"[axis]), "", "",
-            [axis](PatchEdit& edit, const QStringList&) { return edit.align(axis); });
-    add("distribute", "Spread evenly", "", "",
+        add(QString("align-") + "xyz"[axis], translated("Action", "Align %1 with the first").arg("XYZ"[axis]),
+            "", "", [axis](PatchEdit& edit, const QStringList&) { return edit.align(axis); });
+    add("distribute", translated("Action", "Spread evenly"), "", "",
         [](PatchEdit& edit, const QStringList&) { return edit.distribute(); });
-    add("duplicate", "Duplicate", "Ctrl+D", "[X Y Z]",
+    add("duplicate", translated("Action", "Duplicate"), "Ctrl+D", "[X Y Z]",
         [](PatchEdit& edit, const QStringList& words) -> Result<void> {
             if (words.isEmpty()) return edit.duplicate({1, 0, 0});
             TRY(const glm::vec3 by_m, vector_of(words, "metres", scene::kMaxCoordinate_m));
             return edit.duplicate(by_m);
         });
-    add("remove", "Remove", "Delete", "", [](PatchEdit& edit, const QStringList&) { return edit.remove(); });
-    add("unpatch", "Unpatch", "", "", [](PatchEdit& edit, const QStringList&) {
+    add("remove", translated("Action", "Remove"), "Delete", "",
+        [](PatchEdit& edit, const QStringList&) { return edit.remove(); });
+    add("unpatch", translated("Action", "Unpatch"), "", "", [](PatchEdit& edit, const QStringList&) {
         return edit.set_address({1, 0});
     });
-    add("add-fixture", "Add a fixture...", "", "FILE",
+    add("add-fixture", translated("Action", "Add a fixture..."), "", "FILE",
         [&app](PatchEdit& edit, const QStringList& words) {
             glm::vec3 place_m = app.camera().target_m;
             place_m.z = std::max(place_m.z, 3.0f);
             return edit.add(words[0].toStdString(), place_m);
         },
-        {"Add a fixture", "Fixtures (*.gdtf *.qxf *.json);;All files (*)", ""});
+        {translated("Files", "Add a fixture"),
+         translated("Files", "Fixtures (*.gdtf *.qxf *.json);;All files (*)"), ""});
     actions.add({"keep-camera",
                  "Camera",
-                 "Keep this camera",
+                 translated("Action", "Keep this camera"),
                  "Ctrl+K",
                  "[NAME]",
                  [&app, &document](const QStringList& words) {
                      return PatchEdit(app, document).keep_camera(words.value(0));
                  },
                  {}});
-    add("set-stage", "Choose the stage...", "", "MODEL",
+    add("set-stage", translated("Action", "Choose the stage..."), "", "MODEL",
         [](PatchEdit& edit, const QStringList& words) { return edit.set_stage(words[0].toStdString()); },
-        {"A model becomes the stage of the show", kModels, ""});
-    add("add-model", "Add a model...", "", "MODEL [X Y Z]",
+        {translated("Files", "A model becomes the stage of the show"), translated("Files", kModels), ""});
+    add("add-model", translated("Action", "Add a model..."), "", "MODEL [X Y Z]",
         [&app](PatchEdit& edit, const QStringList& words) -> Result<void> {
             glm::vec3 place_m = app.camera().target_m;
             place_m.z = 0; // on the floor
@@ -120,7 +124,7 @@ void add_patch_actions(Actions& actions, AppModel& app, ShowDocument& document) 
             }
             return edit.add_model(words[0].toStdString(), place_m);
         },
-        {"A model that stands on the stage", kModels, ""});
+        {translated("Files", "A model that stands on the stage"), translated("Files", kModels), ""});
     add("set-plot", "", "", "FILE.mvr", [](PatchEdit& edit, const QStringList& words) {
         return edit.set_plot(words.value(0).toStdString());
     });
@@ -129,43 +133,44 @@ void add_patch_actions(Actions& actions, AppModel& app, ShowDocument& document) 
 void add_document_actions(Actions& actions, ShowDocument& document) {
     actions.add({"save",
                  "Show",
-                 "Save the show",
+                 translated("Action", "Save the show"),
                  "Ctrl+S",
                  "[over]",
                  [&document](const QStringList& words) { return document.save(words.value(0) == "over"); },
                  {}});
     actions.add({"save-copy",
                  "Show",
-                 "Save a copy of the show file...",
+                 translated("Action", "Save a copy of the show file..."),
                  "",
                  "FILE",
                  [&document](const QStringList& words) { return document.save_copy(words[0].toStdString()); },
                  {},
-                 {"Save a copy of the show file", "Show files (*.toml)", "show.toml"}});
+                 {translated("Files", "Save a copy of the show file"),
+                  translated("Files", "Show files (*.toml)"), "show.toml"}});
     actions.add({"reload",
                  "Show",
-                 "Take what the show file says now",
+                 translated("Action", "Take what the show file says now"),
                  "",
                  "",
                  [&document](const QStringList&) { return document.reload(); },
                  {}});
     actions.add({"take-changes",
                  "Edit",
-                 "Take changes that were not saved",
+                 translated("Action", "Take changes that were not saved"),
                  "",
                  "",
                  [&document](const QStringList&) { return document.take_draft(); },
                  {}});
     actions.add({"drop-changes",
                  "Edit",
-                 "Drop changes that were not saved",
+                 translated("Action", "Drop changes that were not saved"),
                  "",
                  "",
                  [&document](const QStringList&) { return document.drop_draft(); },
                  {}});
     actions.add({"take-over",
                  "Edit",
-                 "Take the show over from another window",
+                 translated("Action", "Take the show over from another window"),
                  "",
                  "",
                  [&document](const QStringList&) { return document.take_over(); },

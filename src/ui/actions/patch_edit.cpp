@@ -11,6 +11,7 @@
 #include "show/names.h"
 #include "show_file/show_edit.h"
 #include "show_file/show_toml.h"
+#include "ui/language/language.h"
 
 #include <algorithm>
 #include <set>
@@ -85,7 +86,7 @@ Result<void> PatchEdit::edit_each(const QString& what, F&& f) {
 Result<void> PatchEdit::set_address(fixture::Address from) {
     int before = 0; // footprint
     fixture::Address at = from;
-    return edit_each("Address",
+    return edit_each(translated("Undo", "Address"),
                      [&](const scene::PatchedFixture& fixture, scene::FixtureEdit& edit) -> Result<void> {
                          if (before > 0 && from.channel > 0)
                              at = fixture::next_address(at, before, footprint(fixture));
@@ -104,23 +105,24 @@ Result<void> PatchEdit::rename(const QString& name) {
         return Error{"'" + next + "' is no name: 1 to 100 bytes, no leading dot, none of /\\:*?\"<>|", ""};
     const bool several = chosen().size() > 1;
     if (!several && taken.contains(next)) return Error{"another fixture is called '" + next + "'", ""};
-    return edit_each("Name", [&](const scene::PatchedFixture&, scene::FixtureEdit& edit) -> Result<void> {
-        if (several) {
-            // "Spot" -> Spot 1, Spot 2; "Spot 5" -> Spot 5, Spot 6.
-            if (next.find_last_of("0123456789") != next.size() - 1) next += " 1";
-            if (!taken.insert(next).second) next = next_name(next, taken);
-            edit.name = next;
-            std::set<std::string> none;
-            next = next_name(next, none);
-        } else {
-            edit.name = next;
-        }
-        return {};
-    });
+    return edit_each(translated("Undo", "Name"),
+                     [&](const scene::PatchedFixture&, scene::FixtureEdit& edit) -> Result<void> {
+                         if (several) {
+                             // "Spot" -> Spot 1, Spot 2; "Spot 5" -> Spot 5, Spot 6.
+                             if (next.find_last_of("0123456789") != next.size() - 1) next += " 1";
+                             if (!taken.insert(next).second) next = next_name(next, taken);
+                             edit.name = next;
+                             std::set<std::string> none;
+                             next = next_name(next, none);
+                         } else {
+                             edit.name = next;
+                         }
+                         return {};
+                     });
 }
 
 Result<void> PatchEdit::set_mode(const QString& mode) {
-    return edit_each("Mode",
+    return edit_each(translated("Undo", "Mode"),
                      [&](const scene::PatchedFixture& fixture, scene::FixtureEdit& edit) -> Result<void> {
                          if (!fixture.type)
                              return Error{"has no fixture file that can be read", fixture.name};
@@ -132,7 +134,7 @@ Result<void> PatchEdit::set_mode(const QString& mode) {
 }
 
 Result<void> PatchEdit::set_position(const glm::vec3& position_m) {
-    return edit_each("Position",
+    return edit_each(translated("Undo", "Position"),
                      [&](const scene::PatchedFixture& fixture, scene::FixtureEdit& edit) -> Result<void> {
                          if (fixture.track)
                              return Error{"hangs on a track, which says where it is", fixture.name};
@@ -153,7 +155,7 @@ Result<void> PatchEdit::set_positions(const QString& what, const std::vector<glm
 }
 
 Result<void> PatchEdit::move_by(const glm::vec3& by_m) {
-    return edit_each("Move",
+    return edit_each(translated("Undo", "Move"),
                      [&](const scene::PatchedFixture& fixture, scene::FixtureEdit& edit) -> Result<void> {
                          if (fixture.track)
                              return Error{"hangs on a track, which says where it is", fixture.name};
@@ -163,10 +165,11 @@ Result<void> PatchEdit::move_by(const glm::vec3& by_m) {
 }
 
 Result<void> PatchEdit::set_rotation(const glm::vec3& rotation_deg) {
-    return edit_each("Turn", [&](const scene::PatchedFixture&, scene::FixtureEdit& edit) -> Result<void> {
-        edit.rotation_deg = rotation_deg;
-        return {};
-    });
+    return edit_each(translated("Undo", "Turn"),
+                     [&](const scene::PatchedFixture&, scene::FixtureEdit& edit) -> Result<void> {
+                         edit.rotation_deg = rotation_deg;
+                         return {};
+                     });
 }
 
 Result<void> PatchEdit::align(int axis) {
@@ -175,7 +178,7 @@ Result<void> PatchEdit::align(int axis) {
 }
 
 Result<void> PatchEdit::set_axis(int axis, float place_m) {
-    return edit_each("Position",
+    return edit_each(translated("Undo", "Position"),
                      [&](const scene::PatchedFixture& fixture, scene::FixtureEdit& edit) -> Result<void> {
                          if (fixture.track)
                              return Error{"hangs on a track, which says where it is", fixture.name};
@@ -195,7 +198,7 @@ Result<void> PatchEdit::distribute() {
     for (std::size_t i = 0; i < chosen.size(); ++i)
         places.push_back(
             glm::mix(first_m, last_m, static_cast<float>(i) / static_cast<float>(chosen.size() - 1)));
-    return set_positions("Distribute", places);
+    return set_positions(translated("Undo", "Distribute"), places);
 }
 
 Result<void> PatchEdit::duplicate(const glm::vec3& by_m) {
@@ -233,7 +236,8 @@ Result<void> PatchEdit::duplicate(const glm::vec3& by_m) {
     };
     std::set<std::size_t> selection;
     for (const auto& copy : copies) selection.insert(*place(copy.first) + 1);
-    return document_.edit("Duplicate", {std::move(text), counted_anew(app_.look(), place), selection});
+    return document_.edit(translated("Undo", "Duplicate"),
+                          {std::move(text), counted_anew(app_.look(), place), selection});
 }
 
 Result<void> PatchEdit::remove() {
@@ -256,7 +260,8 @@ Result<void> PatchEdit::remove() {
         if (gone.contains(index)) return std::nullopt;
         return index - static_cast<std::size_t>(std::distance(gone.begin(), gone.lower_bound(index)));
     };
-    return document_.edit("Remove", {std::move(text), counted_anew(app_.look(), place), {}});
+    return document_.edit(translated("Undo", "Remove"),
+                          {std::move(text), counted_anew(app_.look(), place), {}});
 }
 
 Result<std::string> PatchEdit::beside_show(const fs::path& file, std::uintmax_t most_bytes) const {
@@ -311,7 +316,7 @@ Result<void> PatchEdit::keep_camera(const QString& name) {
     if (!name.isEmpty() && taken.contains(camera.name))
         return Error{"another camera is called '" + camera.name + "'", ""};
     TRY(std::string text, scene::add_camera(document_.text(), camera));
-    return document_.edit("Keep camera '" + QString::fromStdString(camera.name) + "'",
+    return document_.edit(translated("Undo", "Keep camera '%1'").arg(QString::fromStdString(camera.name)),
                           {std::move(text), app_.look(), app_.selection()});
 }
 
@@ -332,7 +337,7 @@ Result<void> check_model(const fs::path& file) {
 
 Result<void> PatchEdit::set_stage(const fs::path& file) {
     TRY_VOID(check_model(file));
-    return set_file("Stage", "stage", file);
+    return set_file(translated("Undo", "Stage"), "stage", file);
 }
 
 Result<void> PatchEdit::add_model(const fs::path& file, const glm::vec3& position_m) {
@@ -340,7 +345,8 @@ Result<void> PatchEdit::add_model(const fs::path& file, const glm::vec3& positio
     TRY_VOID(check_model(file));
     TRY(const std::string inside, beside_show(file, kMostModelBytes));
     TRY(std::string text, scene::add_model(document_.text(), inside, position_m));
-    return document_.edit("Add a model", {std::move(text), app_.look(), app_.selection()});
+    return document_.edit(translated("Undo", "Add a model"),
+                          {std::move(text), app_.look(), app_.selection()});
 }
 
 Result<void> PatchEdit::set_plot(const fs::path& file) {
@@ -349,7 +355,7 @@ Result<void> PatchEdit::set_plot(const fs::path& file) {
         return Error{"the show has a plot; 'ghostlight import' into its folder merges a newer one",
                      file.string()};
     if (lower(file.extension().string()) != ".mvr") return Error{"is no plot, expected .mvr", file.string()};
-    return set_file("Plot", "plot", file);
+    return set_file(translated("Undo", "Plot"), "plot", file);
 }
 
 Result<void> PatchEdit::add(const fs::path& file, const glm::vec3& position_m) {
@@ -374,7 +380,8 @@ Result<void> PatchEdit::add(const fs::path& file, const glm::vec3& position_m) {
     const auto place = [&](std::size_t index) -> std::optional<std::size_t> {
         return index < of_file ? index : index + 1;
     };
-    return document_.edit("Add", {std::move(text), counted_anew(app_.look(), place), {of_file}});
+    return document_.edit(translated("Undo", "Add"),
+                          {std::move(text), counted_anew(app_.look(), place), {of_file}});
 }
 
 } // namespace ghost::ui

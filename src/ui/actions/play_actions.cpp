@@ -4,6 +4,7 @@
 
 #include "dmx/record/recording.h"
 #include "show/show.h"
+#include "ui/language/language.h"
 
 #include <QDateTime>
 
@@ -43,12 +44,12 @@ Result<void> play_file(AppModel& app, const std::string& file) {
 }
 
 void add_recorder(Actions& actions, AppModel& app) {
-    actions.add({"record", "Play", "Record what the desk sends", "Ctrl+R", "[FILE|off]",
+    actions.add({"record", "Play", translated("Action", "Record what the desk sends"), "Ctrl+R", "[FILE|off]",
                  [&app](const QStringList& words) { return record(app, words); },
                  [&app] { return !app.request().record_to.empty(); }});
     actions.add({"play-recorded",
                  "Play",
-                 "Play what was recorded last",
+                 translated("Action", "Play what was recorded last"),
                  "",
                  "",
                  [&app](const QStringList&) -> Result<void> {
@@ -60,16 +61,17 @@ void add_recorder(Actions& actions, AppModel& app) {
                  {}});
     actions.add({"play-file",
                  "Play",
-                 "Play a recording...",
+                 translated("Action", "Play a recording..."),
                  "",
                  "FILE|own",
                  [&app](const QStringList& words) -> Result<void> {
                      return play_file(app, words[0] == "own" ? "" : words[0].toStdString());
                  },
                  {},
-                 {"Play a recording", "Recordings (*.ghostdmx *.show *.pcap *.pcapng);;All files (*)", ""}});
+                 {translated("Files", "Play a recording"),
+                  translated("Files", "Recordings (*.ghostdmx *.show *.pcap *.pcapng);;All files (*)"), ""}});
     actions.add(
-        {"play-own", "Play", "Play the show's own recording", "", "",
+        {"play-own", "Play", translated("Action", "Play the show's own recording"), "", "",
          [&app](const QStringList&) { return play_file(app, ""); },
          [&app] { return app.request().recording.empty() && app.request().input == Input::recording; }});
 }
@@ -77,7 +79,7 @@ void add_recorder(Actions& actions, AppModel& app) {
 } // namespace
 
 void add_play_actions(Actions& actions, AppModel& app) {
-    actions.add({"play", "Play", "Play or pause the recording", "Space", "[on|off]",
+    actions.add({"play", "Play", translated("Action", "Play or pause the recording"), "Space", "[on|off]",
                  [&app](const QStringList& words) -> Result<void> {
                      const bool plays = app.request().transport.playing;
                      const QString word = words.value(0, plays ? "off" : "on");
@@ -87,7 +89,7 @@ void add_play_actions(Actions& actions, AppModel& app) {
                      return {};
                  },
                  [&app] { return app.request().transport.playing; }});
-    actions.add({"freeze", "Play", "Freeze: time stands still", "Z", "[on|off]",
+    actions.add({"freeze", "Play", translated("Action", "Freeze: time stands still"), "Z", "[on|off]",
                  [&app](const QStringList& words) -> Result<void> {
                      const QString word = words.value(0, app.request().frozen ? "off" : "on");
                      if (word != "on" && word != "off")
@@ -135,7 +137,7 @@ void add_play_actions(Actions& actions, AppModel& app) {
                  {}});
     actions.add({"to-start",
                  "Play",
-                 "Back to the start",
+                 translated("Action", "Back to the start"),
                  "Ctrl+Home",
                  "",
                  [jump](const QStringList&) -> Result<void> {
@@ -144,9 +146,9 @@ void add_play_actions(Actions& actions, AppModel& app) {
                  },
                  {}});
     for (const auto& [name, text, wanted] :
-         {std::tuple{"automatic", "A desk as soon as one is heard", Input::automatic},
-          std::tuple{"desk", "What a desk sends", Input::desk},
-          std::tuple{"recording", "The recording of the show", Input::recording}}) {
+         {std::tuple{"automatic", translated("Action", "A desk as soon as one is heard"), Input::automatic},
+          std::tuple{"desk", translated("Action", "What a desk sends"), Input::desk},
+          std::tuple{"recording", translated("Action", "The recording of the show"), Input::recording}}) {
         actions.add({QString("input-") + name, "Play", text, "", "",
                      [&app, wanted = wanted](const QStringList&) -> Result<void> {
                          app.wish([&](ViewRequest& request) { request.input = wanted; });
@@ -166,7 +168,8 @@ void add_play_actions(Actions& actions, AppModel& app) {
                  },
                  {}});
     for (const int fps : {15, 25, 30, 44, 60}) {
-        actions.add({QString("fps-%1").arg(fps), "Quality", QString("%1 pictures a second").arg(fps), "", "",
+        actions.add({QString("fps-%1").arg(fps), "Quality",
+                     translated("Action", "%1 pictures a second").arg(fps), "", "",
                      [&app, fps](const QStringList&) -> Result<void> {
                          app.wish([&](ViewRequest& request) { request.quality.fps = fps; });
                          return {};
@@ -188,8 +191,8 @@ void add_play_actions(Actions& actions, AppModel& app) {
                  {}});
     for (const int percent : {0, 100, 50, 25, 10}) {
         actions.add({QString("resolution-%1").arg(percent), "Quality",
-                     percent == 0 ? QString("As fine as the rate allows, full when at rest")
-                                  : QString("%1 % of the pixels").arg(percent),
+                     percent == 0 ? translated("Action", "As fine as the rate allows, full when at rest")
+                                  : translated("Action", "%1 % of the pixels").arg(percent),
                      percent == 0 ? "Ctrl+0" : "", "",
                      [&app, percent](const QStringList&) -> Result<void> {
                          app.wish([&](ViewRequest& request) { request.quality.percent = percent; });

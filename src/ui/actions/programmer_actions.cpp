@@ -6,6 +6,7 @@
 #include "image/colour.h"
 #include "show/show.h"
 #include "stage/overrides.h"
+#include "ui/language/language.h"
 #include "ui/model/head_parameters.h"
 #include "ui/model/head_values.h"
 
@@ -188,7 +189,7 @@ void add_fixture_actions(Actions& actions, AppModel& app) {
                  {}});
     actions.add({"release",
                  "Edit",
-                 "Release selected fixtures",
+                 translated("Action", "Release selected fixtures"),
                  "R",
                  "",
                  [&app](const QStringList&) -> Result<void> {
@@ -208,11 +209,11 @@ void add_fixture_actions(Actions& actions, AppModel& app) {
                  {}});
     actions.add({"release-all",
                  "Edit",
-                 "Release everything set by hand",
+                 translated("Action", "Release everything set by hand"),
                  "Shift+R",
                  "",
                  [&app](const QStringList&) -> Result<void> {
-                     app.set_look({}, "release everything");
+                     app.set_look({}, translated("Undo", "release everything"));
                      return {};
                  },
                  {}});
@@ -241,10 +242,11 @@ void add_scene_actions(Actions& actions, AppModel& app) {
                      const QColor colour(words.value(1, "#ffffff"));
                      if (!colour.isValid())
                          return Error{"'" + words.value(1).toStdString() + "' is no colour like #ff8000", ""};
-                     change_scene(app, "even light", ProgrammerStep::scene, [&](SceneLook& scene) {
-                         scene.ambient_lux = static_cast<float>(lux);
-                         if (words.size() > 1) scene.ambient_colour = filter_from(colour);
-                     });
+                     change_scene(app, translated("Undo", "even light"), ProgrammerStep::scene,
+                                  [&](SceneLook& scene) {
+                                      scene.ambient_lux = static_cast<float>(lux);
+                                      if (words.size() > 1) scene.ambient_colour = filter_from(colour);
+                                  });
                      return {};
                  },
                  {}});
@@ -304,7 +306,8 @@ void add_scene_actions(Actions& actions, AppModel& app) {
                          if (object.shown != on) look.shown[object.instance] = on;
                      }
                      if (!found) return Error{"there is no object '" + words[0].toStdString() + "'", ""};
-                     app.set_look(std::move(look), on ? "show object" : "hide object");
+                     app.set_look(std::move(look),
+                                  on ? translated("Undo", "show object") : translated("Undo", "hide object"));
                      return {};
                  },
                  {}});
@@ -406,30 +409,32 @@ void drive_mover(AppModel& app, std::size_t mover, std::vector<float> values) {
     else
         look.movers[mover] = std::move(values);
     const QString name = QString::fromStdString(app.show()->movers[mover].name);
-    app.set_look(std::move(look), lets_go ? "release " + name : "drive " + name,
+    app.set_look(std::move(look),
+                 lets_go ? translated("Undo", "release %1").arg(name)
+                         : translated("Undo", "drive %1").arg(name),
                  static_cast<int>(lets_go ? ProgrammerStep::step : ProgrammerStep::mover));
 }
 
 void change_samples(AppModel& app, std::optional<int> samples) {
     Look look = app.look();
     look.haze_samples = samples;
-    app.set_look(std::move(look), samples ? "samples" : "release samples",
+    app.set_look(std::move(look),
+                 samples ? translated("Undo", "samples") : translated("Undo", "release samples"),
                  static_cast<int>(samples ? ProgrammerStep::samples : ProgrammerStep::step));
 }
 
 QString words_of(const Look& look) {
     QStringList words;
-    const auto add = [&](std::size_t count, const QString& thing) {
-        if (count > 0) words << QString("%1 %2%3").arg(count).arg(thing, count == 1 ? "" : "s");
-    };
-    add(look.fixtures.size(), "fixture");
-    if (look.scene != SceneLook{}) words << "scene";
-    add(look.shown.size(), "object");
-    add(look.surfaces.size(), "material");
-    if (!look.solo.empty()) words << "solo";
-    if (look.haze_samples) words << "samples";
-    if (!look.movers.empty())
-        words << (look.movers.size() == 1 ? "1 mover" : QString("%1 movers").arg(look.movers.size()));
+    const auto number = [](const auto& all) { return all.size(); };
+    if (!look.fixtures.empty())
+        words << translated("By hand", "%n fixture(s)", nullptr, number(look.fixtures));
+    if (look.scene != SceneLook{}) words << translated("By hand", "scene");
+    if (!look.shown.empty()) words << translated("By hand", "%n object(s)", nullptr, number(look.shown));
+    if (!look.surfaces.empty())
+        words << translated("By hand", "%n material(s)", nullptr, number(look.surfaces));
+    if (!look.solo.empty()) words << translated("By hand", "solo");
+    if (look.haze_samples) words << translated("By hand", "samples");
+    if (!look.movers.empty()) words << translated("By hand", "%n mover(s)", nullptr, number(look.movers));
     return words.join(", ");
 }
 

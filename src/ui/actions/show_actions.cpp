@@ -4,6 +4,7 @@
 #include "disk/files.h"
 #include "show/show.h"
 #include "show_file/show_edit.h"
+#include "ui/language/language.h"
 
 #include <QDesktopServices>
 #include <QDir>
@@ -90,16 +91,17 @@ Result<void> save_as(AppModel& app, ShowDocument& document, const QString& words
 }
 
 void about(QWidget& window, const AppModel& app) {
+    const QString device = app.opened().device.empty() ? translated("Window", "nothing yet")
+                                                       : QString::fromStdString(app.opened().device);
     auto* box = new QMessageBox(
-        QMessageBox::NoIcon, "About Ghostlight",
-        QString(
-            "<h3>Ghostlight %1</h3><p>See your light show before the truck is unloaded.</p>"
-            "<p>Drawn on: %2</p><p>Qt %3</p><p>Apache License 2.0. VARI*LITE and VL2500 are marks of their "
-            "owners, who have no part in this.</p>")
-            .arg(GHOST_VERSION,
-                 QString::fromStdString(app.opened().device.empty() ? "nothing yet" : app.opened().device)
-                     .toHtmlEscaped(),
-                 qVersion()),
+        QMessageBox::NoIcon, translated("Action", "About Ghostlight"),
+        "<h3>Ghostlight " GHOST_VERSION "</h3><p>" +
+            translated("Window", "See your light show before the truck is unloaded.") + "</p><p>" +
+            translated("Window", "Drawn on: %1").arg(device.toHtmlEscaped()) + "</p><p>Qt " + qVersion() +
+            "</p><p>" +
+            translated("Window", "Apache License 2.0. VARI*LITE and VL2500 are marks of their owners, who "
+                                 "have no part in this.") +
+            "</p>",
         QMessageBox::Close, &window);
     box->setAttribute(Qt::WA_DeleteOnClose);
     box->setModal(false);
@@ -119,8 +121,8 @@ Result<void> import_plot(AppModel& app, const QString& plot) {
         return Error{"is no .mvr, as Vectorworks, Capture, grandMA3 and Production Assist export it",
                      plot.toStdString()};
     const QString folder = folder_for_plot(plot);
-    const int number =
-        app.jobs().start("import " + QFileInfo(plot).fileName(), {"import", plot, "-o", folder});
+    const int number = app.jobs().start(translated("Jobs", "import %1").arg(QFileInfo(plot).fileName()),
+                                        {"import", plot, "-o", folder});
     auto* const waits = new QObject(&app);
     QObject::connect(&app.jobs(), &Jobs::ended, waits, [&app, waits, number, folder](const Job& job) {
         if (job.number != number) return;
@@ -132,33 +134,35 @@ Result<void> import_plot(AppModel& app, const QString& plot) {
 
 void add_show_actions(Actions& actions, AppModel& app, ShowDocument& document, const std::string& docs,
                       QWidget& window) {
-    actions.add({"new",
-                 "Show",
-                 "New show...",
-                 "Ctrl+N",
-                 "FOLDER",
-                 [&app](const QStringList& words) { return make_show(app, words[0]); },
-                 {},
-                 {"A new show: its folder", "Folders (*)", "My show"}});
+    actions.add(
+        {"new",
+         "Show",
+         translated("Action", "New show..."),
+         "Ctrl+N",
+         "FOLDER",
+         [&app](const QStringList& words) { return make_show(app, words[0]); },
+         {},
+         {translated("Files", "A new show: its folder"), translated("Files", "Folders (*)"), "My show"}});
     actions.add({"import-plot",
                  "Show",
-                 "Import a plot...",
+                 translated("Action", "Import a plot..."),
                  "Ctrl+I",
                  "FILE.mvr",
                  [&app](const QStringList& words) { return import_plot(app, words[0]); },
                  {},
-                 {"A plot becomes a show", "Plots (*.mvr)", ""}});
+                 {translated("Files", "A plot becomes a show"), translated("Files", "Plots (*.mvr)"), ""}});
     actions.add({"save-as",
                  "Show",
-                 "Save as...",
+                 translated("Action", "Save as..."),
                  "",
                  "FILE",
                  [&app, &document](const QStringList& words) { return save_as(app, document, words[0]); },
                  {},
-                 {"Save the show under another name beside it", "Show files (*.toml)", "show-2.toml"}});
+                 {translated("Files", "Save the show under another name beside it"),
+                  translated("Files", "Show files (*.toml)"), "show-2.toml"}});
     actions.add({"documentation",
                  "Help",
-                 "Documentation",
+                 translated("Action", "Documentation"),
                  "",
                  "",
                  [docs](const QStringList&) -> Result<void> {
@@ -170,7 +174,7 @@ void add_show_actions(Actions& actions, AppModel& app, ShowDocument& document, c
                  {}});
     actions.add({"about",
                  "Help",
-                 "About Ghostlight",
+                 translated("Action", "About Ghostlight"),
                  "",
                  "",
                  [&window, &app](const QStringList&) -> Result<void> {

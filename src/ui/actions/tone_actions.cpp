@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/actions/tone_actions.h"
 
+#include "ui/language/language.h"
+
 namespace ghost::ui {
 
 void add_tone_actions(Actions& actions, AppModel& app) {
     actions.add({"tone",
                  "Camera",
-                 "The next tone curve",
+                 translated("Action", "The next tone curve"),
                  "T",
                  "[agx|aces|linear]",
                  [&app](const QStringList& words) -> Result<void> {
@@ -28,9 +30,9 @@ void add_tone_actions(Actions& actions, AppModel& app) {
                      },
                      [&app, tone] { return app.request().tone == tone; }});
     };
-    add("Tone curve: AgX, like film", image::Tone::agx);
-    add("Tone curve: ACES, more contrast", image::Tone::aces);
-    add("Tone curve: none, clipped", image::Tone::linear);
+    add(translated("Action", "Tone curve: AgX, like film"), image::Tone::agx);
+    add(translated("Action", "Tone curve: ACES, more contrast"), image::Tone::aces);
+    add(translated("Action", "Tone curve: none, clipped"), image::Tone::linear);
 }
 
 } // namespace ghost::ui

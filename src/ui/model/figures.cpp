@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/model/figures.h"
 
+#include "ui/language/language.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -40,27 +42,28 @@ QStringList Figures::lines() const {
     const Picture& picture = app_.picture();
     QStringList lines;
     const bool rests = since_picture_.isValid() && since_picture_.elapsed() >= rest_ms();
-    const QString pace = rests          ? QString("at rest, drawn in %1 ms")
-                         : rate_hz_ > 0 ? QString("%1 ms a frame, %2 pictures/s")
-                                        : QString("%1 ms a frame");
+    const QString pace = rests          ? translated("Figures", "at rest, drawn in %1 ms")
+                         : rate_hz_ > 0 ? translated("Figures", "%1 ms a frame, %2 pictures/s")
+                                        : translated("Figures", "%1 ms a frame");
     QString frame = pace.arg(picture.draw_ms, 0, 'f', 1);
     if (!rests && rate_hz_ > 0) frame = frame.arg(rate_hz_, 0, 'f', 1);
     frame += QString(", %1x%2").arg(picture.camera.width).arg(picture.camera.height);
-    if (picture.is_coarse) frame += " while it moves";
+    if (picture.is_coarse) frame = translated("Figures", "%1 while it moves").arg(frame);
     lines << frame;
     if (app_.request().tone != image::Tone::agx)
-        lines << "tone curve " + QString::fromStdString(image::name_of(app_.request().tone));
+        lines << translated("Figures", "tone curve %1")
+                     .arg(QString::fromStdString(image::name_of(app_.request().tone)));
     const dmx::Latency &latency = app_.latency(), &cost = app_.window_cost();
     if (latency_ms_ >= 0)
-        lines << QString("packet to window %1 ms (half within %2, 99 % within %3)")
+        lines << translated("Figures", "packet to window %1 ms (half within %2, 99 % within %3)")
                      .arg(latency_ms_, 0, 'f', 0)
                      .arg(latency.percentile_ms(0.5), 0, 'f', 0)
                      .arg(latency.percentile_ms(0.99), 0, 'f', 0);
     if (cost.count() > 0)
-        lines << QString("the window itself %1 ms a picture (99 % within %2)")
+        lines << translated("Figures", "the window itself %1 ms a picture (99 % within %2)")
                      .arg(cost.percentile_ms(0.5), 0, 'f', 1)
                      .arg(cost.percentile_ms(0.99), 0, 'f', 1);
-    if (!picture.supply.empty()) lines << QString::fromStdString(picture.supply);
+    if (!picture.supply.empty()) lines << said(picture.supply);
     return lines;
 }
 

@@ -3,6 +3,7 @@
 
 #include "mvr/mvr_load.h"
 #include "show/show.h"
+#include "ui/language/language.h"
 
 #include <algorithm>
 #include <map>
@@ -57,10 +58,11 @@ std::vector<FixtureGroup> groups_of(const scene::Show& show, const std::vector<O
         if (object.bar && scene::is_slender(*object.bar)) bars.push_back(&object);
     for (std::size_t i = 0; i < show.fixtures.size(); ++i) {
         const scene::PatchedFixture& fixture = show.fixtures[i];
-        types["Type: " + QString::fromStdString(fixture.type ? fixture.type->name : fixture.gdtf.string())]
+        types[translated("Fixtures", "Type: %1")
+                  .arg(QString::fromStdString(fixture.type ? fixture.type->name : fixture.gdtf.string()))]
             .insert(i);
         if (const auto layer = layer_of.find(fixture.uuid); !fixture.uuid.empty() && layer != layer_of.end())
-            layers["Layer: " + layer->second].insert(i);
+            layers[translated("Fixtures", "Layer: %1").arg(layer->second)].insert(i);
         const Object* nearest = nullptr;
         float nearest_m = kHangsWithin_m;
         for (const Object* const bar : bars)
@@ -68,7 +70,8 @@ std::vector<FixtureGroup> groups_of(const scene::Show& show, const std::vector<O
                 nearest = bar;
                 nearest_m = away_m;
             }
-        if (nearest) trusses["Under: " + QString::fromStdString(nearest->name)].insert(i);
+        if (nearest)
+            trusses[translated("Fixtures", "Under: %1").arg(QString::fromStdString(nearest->name))].insert(i);
     }
     std::vector<FixtureGroup> all;
     for (const Groups* const groups : {&types, &layers, &trusses}) append(*groups, all);
@@ -78,8 +81,7 @@ std::vector<FixtureGroup> groups_of(const scene::Show& show, const std::vector<O
 std::vector<FixtureGroup> dark_groups_of(const std::vector<Verdict>& verdicts) {
     Groups reasons;
     for (std::size_t i = 0; i < verdicts.size(); ++i)
-        if (verdicts[i].visibility != scene::Visibility::lit)
-            reasons[QString::fromStdString(verdicts[i].group)].insert(i);
+        if (verdicts[i].visibility != scene::Visibility::lit) reasons[said(verdicts[i].group)].insert(i);
     std::vector<FixtureGroup> all;
     append(reasons, all);
     std::stable_sort(all.begin(), all.end(),

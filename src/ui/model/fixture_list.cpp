@@ -2,6 +2,7 @@
 #include "ui/model/fixture_list.h"
 
 #include "show/show.h"
+#include "ui/language/language.h"
 
 #include <limits>
 
@@ -19,9 +20,10 @@ QString text_of(const scene::PatchedFixture& fixture, int column) {
     case FixtureList::patch:
         return fixture.address > 0
                    ? QString("%1.%2").arg(fixture.universe).arg(fixture.address, 3, 10, QChar('0'))
-                   : QString("none");
+                   : translated("Fixtures", "none");
     case FixtureList::type:
-        return fixture.type ? QString::fromStdString(fixture.type->name) : QString("file cannot be read");
+        return fixture.type ? QString::fromStdString(fixture.type->name)
+                            : translated("Fixtures", "file cannot be read");
     case FixtureList::mode:
         return fixture.type ? QString::fromStdString(fixture.patch().mode_of().name) : QString();
     case FixtureList::x:
@@ -112,18 +114,27 @@ QVariant FixtureList::data(const QModelIndex& index, int role) const {
                (index.column() == type && !fixture.type);
     if (role == kIsByHand) return index.column() == level && app_.look().fixtures.contains(row);
     if (role == Qt::ToolTipRole) {
-        if (shared_.contains(row)) return "Another fixture reads a channel of this one.";
-        if (app_.look().fixtures.contains(row)) return "Set by hand; R releases it.";
+        if (shared_.contains(row))
+            return translated("Fixtures", "Another fixture reads a channel of this one.");
+        if (app_.look().fixtures.contains(row)) return translated("Fixtures", "Set by hand; R releases it.");
         return QString::fromStdString(fixture.gdtf.string());
     }
     return {};
 }
 
 QVariant FixtureList::headerData(int section, Qt::Orientation orientation, int role) const {
-    static const char* const kTitles[kColumns] = {"Name", "Patch", "Light", "",    "Type",
-                                                  "Mode", "X m",   "Y m",   "Z m", "Turn"};
+    static const char* const kTitles[kColumns] = {QT_TRANSLATE_NOOP("Fixtures", "Name"),
+                                                  QT_TRANSLATE_NOOP("Fixtures", "Patch"),
+                                                  QT_TRANSLATE_NOOP("Fixtures", "Light"),
+                                                  "",
+                                                  QT_TRANSLATE_NOOP("Fixtures", "Type"),
+                                                  QT_TRANSLATE_NOOP("Fixtures", "Mode"),
+                                                  "X m",
+                                                  "Y m",
+                                                  "Z m",
+                                                  QT_TRANSLATE_NOOP("Fixtures", "Turn")};
     if (orientation != Qt::Horizontal || role != Qt::DisplayRole) return {};
-    return kTitles[section];
+    return translated("Fixtures", kTitles[section]);
 }
 
 Qt::ItemFlags FixtureList::flags(const QModelIndex& index) const {

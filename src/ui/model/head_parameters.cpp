@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/model/head_parameters.h"
 #include "show/show.h"
+#include "ui/language/language.h"
 
 #include <QRegularExpression>
 #include <QStringList>
@@ -15,7 +16,12 @@ using fixture::Channel;
 using fixture::ChannelFunction;
 using fixture::Role;
 
-const QStringList kGroups{"Shutter", "Beam", "Gobo", "Colour", "Blades", "Laser", "Position", "Machine"};
+// Translated where they are shown.
+const QStringList kGroups{
+    QT_TRANSLATE_NOOP("Parameter", "Shutter"),  QT_TRANSLATE_NOOP("Parameter", "Beam"),
+    QT_TRANSLATE_NOOP("Parameter", "Gobo"),     QT_TRANSLATE_NOOP("Parameter", "Colour"),
+    QT_TRANSLATE_NOOP("Parameter", "Blades"),   QT_TRANSLATE_NOOP("Parameter", "Laser"),
+    QT_TRANSLATE_NOOP("Parameter", "Position"), QT_TRANSLATE_NOOP("Parameter", "Machine")};
 
 // Those that the panel has as rows of their own.
 bool has_own_row(Role role) {
@@ -111,33 +117,34 @@ QString group_of_role(Role role) {
 // What desks call it; else the attribute with its words apart: "Gobo1PosRotate" -> "Gobo 1 Pos Rotate".
 QString words_of(const std::string& attribute) {
     static const std::pair<QRegularExpression, const char*> kWords[] = {
-        {QRegularExpression("^Shutter(\\d+)(Strobe.*)?$"), "Shutter"},
-        {QRegularExpression("^Gobo(\\d+)$"), "Gobo wheel \\1"},
-        {QRegularExpression("^Gobo(\\d+)Pos(Rotate)?$"), "Gobo \\1 turn"},
-        {QRegularExpression("^Prism(\\d+)$"), "Prism \\1"},
-        {QRegularExpression("^Prism(\\d+)Pos(Rotate)?$"), "Prism \\1 turn"},
-        {QRegularExpression("^Color(\\d+)$"), "Colour wheel \\1"},
-        {QRegularExpression("^ColorSub_C$"), "Cyan"},
-        {QRegularExpression("^ColorSub_M$"), "Magenta"},
-        {QRegularExpression("^ColorSub_Y$"), "Yellow"},
-        {QRegularExpression("^Color(Add|RGB)_R(ed)?$"), "Red"},
-        {QRegularExpression("^Color(Add|RGB)_G(reen)?$"), "Green"},
-        {QRegularExpression("^Color(Add|RGB)_B(lue)?$"), "Blue"},
-        {QRegularExpression("^ColorAdd_W$"), "White"},
-        {QRegularExpression("^ColorAdd_WW$"), "Warm white"},
-        {QRegularExpression("^ColorAdd_CW$"), "Cold white"},
-        {QRegularExpression("^ColorAdd_RY$"), "Amber"},
-        {QRegularExpression("^ColorAdd_GY$"), "Lime"},
-        {QRegularExpression("^ColorAdd_UV$"), "UV"},
-        {QRegularExpression("^CTO$"), "CTO"},
-        {QRegularExpression("^CT[CB]$"), "White (CCT)"},
-        {QRegularExpression("^Frost(\\d+)$"), "Frost \\1"},
-        {QRegularExpression("^Focus(\\d+)$"), "Focus"},
-        {QRegularExpression("^AnimationWheel(\\d+)$"), "Animation wheel"},
+        {QRegularExpression("^Shutter(\\d+)(Strobe.*)?$"), QT_TRANSLATE_NOOP("Parameter", "Shutter")},
+        {QRegularExpression("^Gobo(\\d+)$"), QT_TRANSLATE_NOOP("Parameter", "Gobo wheel \\1")},
+        {QRegularExpression("^Gobo(\\d+)Pos(Rotate)?$"), QT_TRANSLATE_NOOP("Parameter", "Gobo \\1 turn")},
+        {QRegularExpression("^Prism(\\d+)$"), QT_TRANSLATE_NOOP("Parameter", "Prism \\1")},
+        {QRegularExpression("^Prism(\\d+)Pos(Rotate)?$"), QT_TRANSLATE_NOOP("Parameter", "Prism \\1 turn")},
+        {QRegularExpression("^Color(\\d+)$"), QT_TRANSLATE_NOOP("Parameter", "Colour wheel \\1")},
+        {QRegularExpression("^ColorSub_C$"), QT_TRANSLATE_NOOP("Parameter", "Cyan")},
+        {QRegularExpression("^ColorSub_M$"), QT_TRANSLATE_NOOP("Parameter", "Magenta")},
+        {QRegularExpression("^ColorSub_Y$"), QT_TRANSLATE_NOOP("Parameter", "Yellow")},
+        {QRegularExpression("^Color(Add|RGB)_R(ed)?$"), QT_TRANSLATE_NOOP("Parameter", "Red")},
+        {QRegularExpression("^Color(Add|RGB)_G(reen)?$"), QT_TRANSLATE_NOOP("Parameter", "Green")},
+        {QRegularExpression("^Color(Add|RGB)_B(lue)?$"), QT_TRANSLATE_NOOP("Parameter", "Blue")},
+        {QRegularExpression("^ColorAdd_W$"), QT_TRANSLATE_NOOP("Parameter", "White")},
+        {QRegularExpression("^ColorAdd_WW$"), QT_TRANSLATE_NOOP("Parameter", "Warm white")},
+        {QRegularExpression("^ColorAdd_CW$"), QT_TRANSLATE_NOOP("Parameter", "Cold white")},
+        {QRegularExpression("^ColorAdd_RY$"), QT_TRANSLATE_NOOP("Parameter", "Amber")},
+        {QRegularExpression("^ColorAdd_GY$"), QT_TRANSLATE_NOOP("Parameter", "Lime")},
+        {QRegularExpression("^ColorAdd_UV$"), QT_TRANSLATE_NOOP("Parameter", "UV")},
+        {QRegularExpression("^CTO$"), QT_TRANSLATE_NOOP("Parameter", "CTO")},
+        {QRegularExpression("^CT[CB]$"), QT_TRANSLATE_NOOP("Parameter", "White (CCT)")},
+        {QRegularExpression("^Frost(\\d+)$"), QT_TRANSLATE_NOOP("Parameter", "Frost \\1")},
+        {QRegularExpression("^Focus(\\d+)$"), QT_TRANSLATE_NOOP("Parameter", "Focus")},
+        {QRegularExpression("^AnimationWheel(\\d+)$"), QT_TRANSLATE_NOOP("Parameter", "Animation wheel")},
     };
     const QString name = QString::fromStdString(attribute);
     for (const auto& [pattern, words] : kWords)
-        if (pattern.match(name).hasMatch()) return QString(name).replace(pattern, words);
+        if (pattern.match(name).hasMatch())
+            return QString(name).replace(pattern, translated("Parameter", words));
     static const QRegularExpression kParts("([a-z])([A-Z0-9])|([0-9])([A-Z])");
     return QString(name).replace(kParts, "\\1\\3 \\2\\4").replace('_', ' ').replace("Color", "Colour");
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/model/jobs.h"
 
+#include "ui/language/language.h"
+
 #include <QRegularExpression>
 #include <QStandardPaths>
 
@@ -18,20 +20,20 @@ const char* const kProgressEvery_s = "0.25";
 
 } // namespace
 
-QString state_name(Job::State state) {
+const char* state_name(Job::State state) {
     switch (state) {
     case Job::State::waits:
-        return "waits";
+        return QT_TRANSLATE_NOOP("Jobs", "waits");
     case Job::State::runs:
-        return "runs";
+        return QT_TRANSLATE_NOOP("Jobs", "runs");
     case Job::State::done:
-        return "done";
+        return QT_TRANSLATE_NOOP("Jobs", "done");
     case Job::State::failed:
-        return "failed";
+        return QT_TRANSLATE_NOOP("Jobs", "failed");
     case Job::State::cancelled:
         break;
     }
-    return "cancelled";
+    return QT_TRANSLATE_NOOP("Jobs", "cancelled");
 }
 
 std::optional<ProgressLine> progress_of(const QString& line) {

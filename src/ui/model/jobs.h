@@ -31,7 +31,7 @@ struct Job {
 
     bool is_over() const { return state != State::waits && state != State::runs; }
 };
-QString state_name(Job::State state);
+const char* state_name(Job::State state);
 
 // A line of progress as base/progress.h prints it: "baking  42 % [####   ] 0:12 left  foh".
 struct ProgressLine {

@@ -2,6 +2,7 @@
 #include "ui/model/lamp_drag.h"
 
 #include "show_folder/hang.h"
+#include "ui/language/language.h"
 
 #include <algorithm>
 #include <cmath>
@@ -78,9 +79,9 @@ glm::vec3 LampDrag::by_m(const glm::vec3& eye_m, const glm::vec3& way, bool upri
 QString LampDrag::words(const glm::vec3& by_m) const {
     const QString far = QString("%1 m").arg(static_cast<double>(glm::length(by_m)), 0, 'f', 2);
     const bool upright = by_m.z != 0 && by_m.x == 0 && by_m.y == 0;
-    return upright        ? far + (by_m.z > 0 ? " up" : " down")
+    return upright ? (by_m.z > 0 ? translated("Picture", "%1 up") : translated("Picture", "%1 down")).arg(far)
            : bar_.empty() ? far
-                          : far + " along " + QString::fromStdString(bar_);
+                          : translated("Picture", "%1 along %2").arg(far, QString::fromStdString(bar_));
 }
 
 } // namespace ghost::ui

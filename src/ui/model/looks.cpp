@@ -3,6 +3,7 @@
 
 #include "disk/files.h"
 #include "show/show.h"
+#include "ui/language/language.h"
 #include "ui/model/head_values.h"
 
 #include <QFile>
@@ -42,13 +43,15 @@ public:
 private:
     void put(const Looks::List& list) {
         if (!looks_.damage_.empty()) {
-            Q_EMIT looks_.app_.failed("Looks stay as the file has them until this is mended: " +
-                                      QString::fromStdString(looks_.damage_));
+            Q_EMIT looks_.app_.failed(
+                translated("Notice", "Looks stay as the file has them until this is mended: %1")
+                    .arg(said(looks_.damage_)));
             return;
         }
         if (text_in(looks_.file_) != looks_.known_) {
-            Q_EMIT looks_.app_.failed("Looks were changed by another program, which is not undone: " +
-                                      QString::fromStdString(looks_.file_.string()));
+            Q_EMIT looks_.app_.failed(
+                translated("Notice", "Looks were changed by another program, which is not undone: %1")
+                    .arg(QString::fromStdString(looks_.file_.string())));
             return;
         }
         if (const Result<void> done = looks_.write(list); !done.ok())
@@ -68,7 +71,7 @@ Looks::Looks(AppModel& app) : app_(app) {
     connect(&app_, &AppModel::look_changed, this, &Looks::publish);
     connect(&app_, &AppModel::look_called, this, [this](const QString& name, double seconds) {
         if (const Result<void> done = recall(name.toStdString(), seconds); !done.ok())
-            Q_EMIT app_.failed("Remote control: " + QString::fromStdString(done.error().text()));
+            Q_EMIT app_.failed(translated("Notice", "Remote control: %1").arg(said(done.error().text())));
     });
     // The folder, for the file may not be there yet, and programs put another one in its place.
     for (const auto signal : {&QFileSystemWatcher::directoryChanged, &QFileSystemWatcher::fileChanged})
@@ -99,7 +102,8 @@ bool Looks::take_changes() {
     List before = looks_;
     load();
     if (damage_.empty() && before != looks_)
-        app_.undo_stack().push(new LooksStep(*this, std::move(before), looks_, "looks from the file"));
+        app_.undo_stack().push(
+            new LooksStep(*this, std::move(before), looks_, translated("Undo", "looks from the file")));
     return true;
 }
 
@@ -167,7 +171,7 @@ Result<void> Looks::put_in(scene::StoredLook look) {
         look.fade_s = same->fade_s;
         *same = std::move(look);
     }
-    TRY_VOID(edit("store look", std::move(after)));
+    TRY_VOID(edit(translated("Undo", "store look"), std::move(after)));
     last_ = name;
     Q_EMIT changed();
     return {};
@@ -219,7 +223,7 @@ Result<void> Looks::recall(const std::string& name, double seconds) {
     look.fixtures = scene::programmer_of(looks_[index], *app_.show());
     look.movers = scene::movers_of(looks_[index], *app_.show());
     look.scene = looks_[index].scene;
-    app_.fade_to(std::move(look), "look " + QString::fromStdString(name),
+    app_.fade_to(std::move(look), translated("Undo", "look %1").arg(QString::fromStdString(name)),
                  seconds < 0 ? static_cast<double>(looks_[index].fade_s) : seconds);
     last_ = name;
     Q_EMIT changed();
@@ -242,7 +246,7 @@ Result<void> Looks::rename(const std::string& name, const std::string& to) {
         return Error{"another look is called '" + to + "'", ""};
     List after = looks_;
     after[index].name = to;
-    TRY_VOID(edit("rename look", std::move(after)));
+    TRY_VOID(edit(translated("Undo", "rename look"), std::move(after)));
     if (last_ == name) last_ = to;
     Q_EMIT changed();
     return {};
@@ -252,14 +256,14 @@ Result<void> Looks::set_fade(const std::string& name, double seconds) {
     TRY(const std::size_t index, scene::find_look(looks_, name));
     List after = looks_;
     after[index].fade_s = static_cast<float>(std::clamp(seconds, 0.0, scene::kLongestFade_s));
-    return edit("seconds of a look", std::move(after));
+    return edit(translated("Undo", "seconds of a look"), std::move(after));
 }
 
 Result<void> Looks::remove(const std::string& name) {
     TRY(const std::size_t index, scene::find_look(looks_, name));
     List after = looks_;
     after.erase(after.begin() + static_cast<std::ptrdiff_t>(index));
-    return edit("remove look", std::move(after));
+    return edit(translated("Undo", "remove look"), std::move(after));
 }
 
 std::string Looks::current() const {

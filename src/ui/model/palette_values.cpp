@@ -2,6 +2,7 @@
 #include "ui/model/palette_values.h"
 
 #include "show/show.h"
+#include "ui/language/language.h"
 #include "ui/model/head_parameters.h"
 #include "ui/model/head_values.h"
 
@@ -68,14 +69,14 @@ bool give_values(const scene::PaletteValues& values, const scene::PatchedFixture
 
 QString words_of(const scene::PaletteValues& values) {
     QStringList words;
-    const auto degrees = [&](const char* what, const std::optional<float>& deg) {
+    const auto degrees = [&](const QString& what, const std::optional<float>& deg) {
         if (deg) words << QString("%1 %2\u00b0").arg(what).arg(static_cast<double>(*deg), 0, 'f', 1);
     };
-    degrees("pan", values.pan_deg);
-    degrees("tilt", values.tilt_deg);
-    degrees("zoom", values.zoom_deg);
-    if (values.colour) words << "a colour";
-    if (values.gobo) words << QString("gobo %1").arg(*values.gobo);
+    degrees(translated("Parameter", "pan"), values.pan_deg);
+    degrees(translated("Parameter", "tilt"), values.tilt_deg);
+    degrees(translated("Parameter", "zoom"), values.zoom_deg);
+    if (values.colour) words << translated("Parameter", "a colour");
+    if (values.gobo) words << translated("Parameter", "gobo %1").arg(*values.gobo);
     for (const auto& [attribute, share] : values.attributes)
         words << QString("%1 %2 %").arg(QString::fromStdString(attribute)).arg(std::lround(100 * share));
     return words.join(", ");

@@ -5,7 +5,10 @@
 #include "disk/user_file.h"
 #include "show_file/show_edit.h"
 #include "show_folder/load_show.h"
+#include "ui/language/language.h"
 #include "ui/model/private/undo_ids.h"
+
+#include <QLocale>
 
 #include <utility>
 
@@ -102,8 +105,8 @@ void ShowDocument::read_opened() {
     watch();
     if (!file_.empty()) hold(Hold::Other::keeps);
     if (is_read_only())
-        Q_EMIT found_held("Another window has this show open: " + QString::fromStdString(hold_->holder()) +
-                          ". Here it is read only.");
+        Q_EMIT found_held(translated("Notice", "Another window has this show open: %1. Here it is read only.")
+                              .arg(QString::fromStdString(hold_->holder())));
     else if (!file_.empty())
         find_draft();
     Q_EMIT changed();
@@ -136,12 +139,13 @@ void ShowDocument::notice_loss() {
         // The draft is the other window's now.
         const auto copy = drafts_.write_aside(text_);
         is_kept_ = copy.ok();
-        kept = copy.ok()
-                   ? " What was not saved here is kept in " + QString::fromStdString(copy->string()) + "."
-                   : QString(" What is not saved here can be saved as a copy.");
+        kept = copy.ok() ? " " + translated("Notice", "What was not saved here is kept in %1.")
+                                     .arg(QString::fromStdString(copy->string()))
+                         : " " + translated("Notice", "What is not saved here can be saved as a copy.");
     }
-    Q_EMIT found_held("Another window took this show over: " + QString::fromStdString(hold_->holder()) +
-                      ". Here it is read only." + kept);
+    Q_EMIT found_held(translated("Notice", "Another window took this show over: %1. Here it is read only.")
+                          .arg(QString::fromStdString(hold_->holder())) +
+                      kept);
     Q_EMIT changed();
 }
 
@@ -149,10 +153,12 @@ void ShowDocument::find_draft() {
     auto found = drafts_.find(text_);
     if (!found) return;
     draft_ = std::move(found->text);
-    Q_EMIT draft_found("Changes of " + found->when.toString("d MMM hh:mm") + " were not saved." +
-                       (found->of_this ? QString()
-                                       : QString(" The show file was changed since; taking them drops what "
-                                                 "was changed there.")));
+    Q_EMIT draft_found(translated("Notice", "Changes of %1 were not saved.")
+                           .arg(QLocale(language()).toString(found->when, "d MMM hh:mm")) +
+                       (found->of_this
+                            ? QString()
+                            : " " + translated("Notice", "The show file was changed since; taking them drops "
+                                                         "what was changed there.")));
 }
 
 Result<void> ShowDocument::check_editable() const {
@@ -196,8 +202,8 @@ void ShowDocument::keep_draft() {
     const bool was_kept = is_kept_;
     const Result<void> kept = keep();
     if (kept.ok() || !was_kept) return; // said once
-    Q_EMIT keep_failed("Changes that are not saved cannot be kept: " +
-                       QString::fromStdString(kept.error().text()));
+    Q_EMIT keep_failed(
+        translated("Notice", "Changes that are not saved cannot be kept: %1").arg(said(kept.error().text())));
 }
 
 Result<void> ShowDocument::keep() {
@@ -243,13 +249,15 @@ void ShowDocument::look_at_file() {
     }
     changed_outside_ = outside;
     seen_outside_ = outside ? std::optional(*now) : std::nullopt;
-    QString why = "there are changes here that are not saved.";
+    QString why = translated(
+        "Notice", "Another program changed the show file, and there are changes here that are not saved.");
     if (outside && !is_changed() && !draft_) {
         const Result<void> taken = reload();
         if (taken.ok()) return;
-        why = "it cannot be taken: " + QString::fromStdString(taken.error().text());
+        why = translated("Notice", "Another program changed the show file, and it cannot be taken: %1")
+                  .arg(said(taken.error().text()));
     }
-    if (outside) Q_EMIT found_changed_outside("Another program changed the show file, and " + why);
+    if (outside) Q_EMIT found_changed_outside(why);
     Q_EMIT changed();
 }
 
@@ -265,9 +273,11 @@ void ShowDocument::look_whether_gone() {
     is_gone_ = true;
     const bool has_folder = std::filesystem::exists(file_.parent_path(), code);
     Q_EMIT found_gone(
-        QString("The show %1 is gone: deleted, renamed, or its disk was taken out. What is open "
-                "here stays as it is.")
-            .arg(has_folder ? "file" : "folder"));
+        has_folder
+            ? translated("Notice", "The show file is gone: deleted, renamed, or its disk was taken out. "
+                                   "What is open here stays as it is.")
+            : translated("Notice", "The show folder is gone: deleted, renamed, or its disk was taken "
+                                   "out. What is open here stays as it is."));
     Q_EMIT changed();
 }
 
@@ -289,7 +299,8 @@ Result<void> ShowDocument::save(bool over) {
     }
     if (const Result<void> written = write_user_file(file_, text_); !written.ok()) {
         save_failed_ = true;
-        Q_EMIT save_failed("The show is not saved: " + QString::fromStdString(written.error().text()));
+        Q_EMIT save_failed(
+            translated("Notice", "The show is not saved: %1").arg(said(written.error().text())));
         return written;
     }
     save_failed_ = is_gone_ = false;
@@ -323,7 +334,7 @@ Result<void> ShowDocument::reload() {
     // Before the step, which asks what is saved.
     std::string before = std::exchange(saved_, now);
     const bool was_outside = std::exchange(changed_outside_, false);
-    Result<void> done = edit("Reload", {std::move(now), app_.look(), app_.selection()});
+    Result<void> done = edit(translated("Undo", "Reload"), {std::move(now), app_.look(), app_.selection()});
     if (!done.ok()) {
         saved_ = std::move(before); // what cannot be taken must not be written over unasked
         changed_outside_ = was_outside;
@@ -335,7 +346,7 @@ Result<void> ShowDocument::take_draft() {
     if (!draft_) return Error{"there are no changes of an earlier time", ""};
     std::string text = std::move(*draft_);
     draft_.reset();
-    return edit("Take changes", {std::move(text), app_.look(), app_.selection()});
+    return edit(translated("Undo", "Take changes"), {std::move(text), app_.look(), app_.selection()});
 }
 
 Result<void> ShowDocument::take_over() {

@@ -3,6 +3,7 @@
 
 #include "show/haze_presets.h"
 #include "show/show.h"
+#include "ui/language/language.h"
 #include "ui/widgets/following.h"
 
 #include <QHBoxLayout>
@@ -24,11 +25,14 @@ struct HazerColumn {
     const char* tip;
 };
 constexpr HazerColumn kHazerColumns[] = {
-    {"Place m", "place", "X Y Z of the nozzle"},
-    {"Blows to", "direction", "X Y Z; any length: 0 0 1 is up"},
-    {"Rate", "rate", "Density 1 m before the nozzle, as a multiple of the room's"},
-    {"Spread°", "spread", "Full angle of the plume"},
-    {"Reach m", "reach", "From here on it is as thin as the room"},
+    {QT_TRANSLATE_NOOP("Air", "Place m"), "place", QT_TRANSLATE_NOOP("Air", "X Y Z of the nozzle")},
+    {QT_TRANSLATE_NOOP("Air", "Blows to"), "direction",
+     QT_TRANSLATE_NOOP("Air", "X Y Z; any length: 0 0 1 is up")},
+    {QT_TRANSLATE_NOOP("Air", "Rate"), "rate",
+     QT_TRANSLATE_NOOP("Air", "Density 1 m before the nozzle, as a multiple of the room's")},
+    {QT_TRANSLATE_NOOP("Air", "Spread°"), "spread", QT_TRANSLATE_NOOP("Air", "Full angle of the plume")},
+    {QT_TRANSLATE_NOOP("Air", "Reach m"), "reach",
+     QT_TRANSLATE_NOOP("Air", "From here on it is as thin as the room")},
 };
 
 QString words(float number) {
@@ -59,7 +63,8 @@ QString text_of(const scene::Hazer& hazer, int column) {
 AirPanel::AirPanel(AppModel& app, ShowDocument& document, Actions& actions, QWidget* parent)
     : QWidget(parent), app_(app), document_(document) {
     auto* layout = new QVBoxLayout(this);
-    auto* about = new QLabel("The air as the show has it: saved with it. Smoke by hand is in Scene.", this);
+    auto* about = new QLabel(
+        translated("Air", "The air as the show has it: saved with it. Smoke by hand is in Scene."), this);
     about->setWordWrap(true);
     layout->addWidget(about);
     add_rows(layout);
@@ -76,7 +81,7 @@ void AirPanel::take(const Result<void>& done) {
 
 void AirPanel::add_rows(QLayout* layout) {
     haze_ = new QComboBox(this);
-    haze_->setAccessibleName("Haze");
+    haze_->setAccessibleName(translated("Air", "Haze"));
     connect(haze_, &QComboBox::activated, this, [this](int index) {
         const QString preset = haze_->itemData(index).toString();
         if (!preset.isEmpty()) take(AirEdit(app_, document_).set_haze(preset));
@@ -84,7 +89,7 @@ void AirPanel::add_rows(QLayout* layout) {
     auto* haze_row = new QWidget(this);
     auto* haze_layout = new QHBoxLayout(haze_row);
     haze_layout->setContentsMargins(0, 0, 0, 0);
-    auto* haze_label = new QLabel("Haze", haze_row);
+    auto* haze_label = new QLabel(translated("Air", "Haze"), haze_row);
     haze_label->setFixedWidth(ValueRow::label_width(*this));
     haze_label->setBuddy(haze_);
     haze_layout->addWidget(haze_label);
@@ -93,20 +98,21 @@ void AirPanel::add_rows(QLayout* layout) {
     bounce_ = new BounceRow(app_, document_, this);
     bounce_->on_done = [this](const Result<void>& done) { take(done); };
     layout->addWidget(bounce_);
-    clouds_ = new ValueRow("Clouds", {0, 1, 2, ""}, this);
-    clouds_->setToolTip("0: the same everywhere; 1: from nothing to twice as thick");
+    clouds_ = new ValueRow(translated("Air", "Clouds"), {0, 1, 2, ""}, this);
+    clouds_->setToolTip(translated("Air", "0: the same everywhere; 1: from nothing to twice as thick"));
     clouds_->on_change = [this](double value) {
         take(AirEdit(app_, document_).set_clouds(static_cast<float>(value)));
     };
-    size_ = new ValueRow("Cloud size", {0.1, 100, 1, " m", true}, this);
+    size_ = new ValueRow(translated("Air", "Cloud size"), {0.1, 100, 1, " m", true}, this);
     size_->on_change = [this](double value) {
         take(AirEdit(app_, document_).set_cloud_size(static_cast<float>(value)));
     };
-    wind_ = new ValueRow("Wind", {0, 28, 2, " m/s"}, this);
-    wind_->setToolTip("Clouds drift with it, along the floor");
+    wind_ = new ValueRow(translated("Air", "Wind"), {0, 28, 2, " m/s"}, this);
+    wind_->setToolTip(translated("Air", "Clouds drift with it, along the floor"));
     wind_->on_change = [this](double value) { blow(value, towards_deg_); };
-    towards_ = new ValueRow("Wind towards", {-180, 180, 0, "°"}, this);
-    towards_->setToolTip("0: to the right as the house sees it, 90: up-stage, -90: into the house");
+    towards_ = new ValueRow(translated("Air", "Wind towards"), {-180, 180, 0, "°"}, this);
+    towards_->setToolTip(
+        translated("Air", "0: to the right as the house sees it, 90: up-stage, -90: into the house"));
     towards_->on_change = [this](double value) {
         const glm::vec3& wind_m_s = app_.show()->haze.wind_m_s;
         blow(static_cast<double>(glm::length(glm::vec2(wind_m_s))), value);
@@ -116,10 +122,10 @@ void AirPanel::add_rows(QLayout* layout) {
 
 void AirPanel::add_hazers(QLayout* layout, Actions& actions) {
     hazers_ = new QTableWidget(0, static_cast<int>(std::size(kHazerColumns)), this);
-    hazers_->setAccessibleName("Hazers");
+    hazers_->setAccessibleName(translated("Air", "Hazers"));
     for (int column = 0; column < hazers_->columnCount(); ++column) {
-        auto* title = new QTableWidgetItem(kHazerColumns[column].title);
-        title->setToolTip(kHazerColumns[column].tip);
+        auto* title = new QTableWidgetItem(translated("Air", kHazerColumns[column].title));
+        title->setToolTip(translated("Air", kHazerColumns[column].tip));
         hazers_->setHorizontalHeaderItem(column, title);
     }
     hazers_->setSelectionBehavior(QAbstractItemView::SelectRows);
@@ -134,10 +140,10 @@ void AirPanel::add_hazers(QLayout* layout, Actions& actions) {
     connect(hazers_, &QTableWidget::itemSelectionChanged, this,
             [this] { remove_->setEnabled(hazers_->currentRow() >= 0); });
     layout->addWidget(hazers_);
-    auto* add = new QPushButton("Add a hazer", this);
-    add->setToolTip("On the floor below what is looked at");
+    auto* add = new QPushButton(translated("Air", "Add a hazer"), this);
+    add->setToolTip(translated("Air", "On the floor below what is looked at"));
     connect(add, &QPushButton::clicked, this, [this, &actions] { take(actions.run("add-hazer")); });
-    remove_ = new QPushButton("Remove the hazer", this);
+    remove_ = new QPushButton(translated("Air", "Remove the hazer"), this);
     remove_->setEnabled(false);
     connect(remove_, &QPushButton::clicked, this, [this] {
         if (hazers_->currentRow() >= 0)
@@ -198,11 +204,11 @@ void AirPanel::show_haze() {
             QString::fromUtf8(preset.name.data(), static_cast<qsizetype>(preset.name.size()));
         const double per_m = preset.extinction_per_m();
         if (std::abs(per_m - is_per_m) < 1e-6) found = haze_->count();
-        haze_->addItem(QString("%1, %2 per metre").arg(name).arg(per_m, 0, 'g', 4), name);
+        haze_->addItem(translated("Air", "%1, %2 per metre").arg(said(name)).arg(per_m, 0, 'g', 4), name);
     }
     if (found < 0) {
         found = haze_->count();
-        haze_->addItem(QString("%1 per metre").arg(is_per_m, 0, 'g', 4));
+        haze_->addItem(translated("Air", "%1 per metre").arg(is_per_m, 0, 'g', 4));
     }
     haze_->setCurrentIndex(found);
 }

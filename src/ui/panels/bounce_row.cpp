@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/panels/bounce_row.h"
 
+#include "ui/language/language.h"
 #include "ui/widgets/value_row.h"
 
 #include <QHBoxLayout>
@@ -12,15 +13,17 @@ BounceRow::BounceRow(AppModel& app, ShowDocument& document, QWidget* parent) : Q
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     detail_ = new QComboBox(this);
-    detail_->setAccessibleName("Bounced light");
-    detail_->setToolTip("Light that surfaces and haze send on. The finer, the longer its links take to make, "
-                        "once for a stage, and each change of light to solve.");
-    for (const char* const name : scene::kBounceDetails) detail_->addItem(name);
+    detail_->setAccessibleName(translated("Bounced light", "Bounced light"));
+    detail_->setToolTip(
+        translated("Bounced light",
+                   "Light that surfaces and haze send on. The finer, the longer its links take to make, "
+                   "once for a stage, and each change of light to solve."));
+    for (const char* const name : scene::kBounceDetails) detail_->addItem(said(name));
     connect(detail_, &QComboBox::activated, this, [this, &document](int index) {
         const Result<void> done = set_bounce(app_, document, static_cast<scene::BounceDetail>(index));
         if (on_done) on_done(done);
     });
-    auto* label = new QLabel("Bounced light", this);
+    auto* label = new QLabel(translated("Bounced light", "Bounced light"), this);
     label->setFixedWidth(ValueRow::label_width(*this));
     label->setBuddy(detail_);
     auto* line = new QHBoxLayout;
@@ -33,7 +36,7 @@ BounceRow::BounceRow(AppModel& app, ShowDocument& document, QWidget* parent) : Q
     bar_ = new QProgressBar(this);
     bar_->setRange(0, 1000);
     bar_->setTextVisible(false);
-    bar_->setAccessibleName("Links of bounced light");
+    bar_->setAccessibleName(translated("Bounced light", "Links of bounced light"));
     cancel_ = new QPushButton(this);
     connect(cancel_, &QPushButton::clicked, this,
             [this] { stop_bounce(app_, app_.bounce().state == BounceNow::State::makes_links); });
@@ -57,7 +60,8 @@ void BounceRow::show_state() {
     bar_->setVisible(makes_links);
     bar_->setValue(static_cast<int>(1000 * bounce.made_share));
     cancel_->setVisible(makes_links || is_stopped);
-    cancel_->setText(is_stopped ? "Make them" : "Cancel");
+    cancel_->setText(is_stopped ? translated("Bounced light", "Make them")
+                                : translated("Bounced light", "Cancel"));
 }
 
 } // namespace ghost::ui

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/panels/browser_panel.h"
 
+#include "ui/language/language.h"
 #include "ui/widgets/theme.h"
 #include "web/invitation.h"
 #include "web/qr.h"
@@ -97,7 +98,7 @@ void add_browser_actions(Actions& actions, web::Browsers& browsers) {
 
 QrField::QrField(QWidget* parent) : QWidget(parent) {
     setFixedSize(sizeHint());
-    setAccessibleName("The address as a QR code");
+    setAccessibleName(translated("Browsers", "The address as a QR code"));
 }
 
 QSize QrField::sizeHint() const {
@@ -144,15 +145,16 @@ BrowserPanel::BrowserPanel(web::Browsers& browsers, Actions& actions, QWidget* p
 
 void BrowserPanel::add_place(QVBoxLayout& layout) {
     auto* about = small_label(this);
-    about->setText("Phones, tablets and laptops see the picture as it is drawn, and why a lamp is dark.");
+    about->setText(translated(
+        "Browsers", "Phones, tablets and laptops see the picture as it is drawn, and why a lamp is dark."));
     layout.addWidget(about);
     places_ = new QComboBox(this);
-    places_->setAccessibleName("Network in which browsers may look on");
+    places_->setAccessibleName(translated("Browsers", "Network in which browsers may look on"));
     port_ = new QSpinBox(this);
     port_->setRange(1024, 65535);
     port_->setValue(browsers_.options().port > 0 ? browsers_.options().port : kUsualPort);
-    port_->setPrefix("port ");
-    port_->setAccessibleName("TCP port");
+    port_->setPrefix(translated("Browsers", "port "));
+    port_->setAccessibleName(translated("Browsers", "TCP port"));
     layout.addWidget(places_);
     auto* row = new QHBoxLayout;
     listens_ = new QPushButton(this);
@@ -174,9 +176,9 @@ void BrowserPanel::add_way_in(QVBoxLayout& layout) {
     auto* row = new QHBoxLayout;
     address_ = new QLineEdit(way_in_);
     address_->setReadOnly(true);
-    address_->setAccessibleName("Address with its secret");
-    auto* copy = new QPushButton("Copy", way_in_);
-    copy->setToolTip("The address, to be sent to whom you let in");
+    address_->setAccessibleName(translated("Browsers", "Address with its secret"));
+    auto* copy = new QPushButton(translated("Browsers", "Copy"), way_in_);
+    copy->setToolTip(translated("Browsers", "The address, to be sent to whom you let in"));
     connect(copy, &QPushButton::clicked, this,
             [this] { QGuiApplication::clipboard()->setText(address_->text()); });
     row->addWidget(address_, 1);
@@ -186,16 +188,17 @@ void BrowserPanel::add_way_in(QVBoxLayout& layout) {
     digits_->setTextFormat(Qt::RichText);
     digits_->setTextInteractionFlags(Qt::TextSelectableByMouse);
     layout.addWidget(digits_);
-    control_ = new QCheckBox("Allow control", way_in_);
-    control_->setToolTip(
+    control_ = new QCheckBox(translated("Browsers", "Allow control"), way_in_);
+    control_->setToolTip(translated(
+        "Browsers",
         "An address of its own: who has it recalls looks, cues and cameras. A recalled look can be "
-        "undone here. Off: whoever has it only looks on.");
+        "undone here. Off: whoever has it only looks on."));
     connect(control_, &QCheckBox::clicked, this, [this](bool on) {
         actions_.choose(QString("browsers-control ") + (on ? "on" : "off"));
         shows_control_->setChecked(on);
         refresh();
     });
-    shows_control_ = new QPushButton("Show the address with control", way_in_);
+    shows_control_ = new QPushButton(translated("Browsers", "Show the address with control"), way_in_);
     shows_control_->setCheckable(true);
     connect(shows_control_, &QPushButton::clicked, this, [this](bool on) {
         if (on) control_since_.restart();
@@ -204,7 +207,8 @@ void BrowserPanel::add_way_in(QVBoxLayout& layout) {
     layout.addWidget(control_);
     layout.addWidget(shows_control_);
     auto* plain = small_label(way_in_);
-    plain->setText("Plain HTTP: who listens to that network sees picture and secret.");
+    plain->setText(
+        translated("Browsers", "Plain HTTP: who listens to that network sees picture and secret."));
     plain->setStyleSheet("color: " + faint().name());
     layout.addWidget(plain);
 }
@@ -213,14 +217,15 @@ void BrowserPanel::add_who(QVBoxLayout& layout) {
     who_ = small_label(way_in_);
     layout.addWidget(who_);
     auto* row = new QHBoxLayout;
-    auto* token = new QPushButton("New token", way_in_);
-    token->setToolTip("Who looks on stays; nobody else comes in with the address that was");
+    auto* token = new QPushButton(translated("Browsers", "New token"), way_in_);
+    token->setToolTip(
+        translated("Browsers", "Who looks on stays; nobody else comes in with the address that was"));
     connect(token, &QPushButton::clicked, this, [this] {
         actions_.choose("browsers-new-token");
         refresh();
     });
-    auto* away = new QPushButton("Send all away", way_in_);
-    away->setToolTip("All lines end, and no address that was lets anybody in");
+    auto* away = new QPushButton(translated("Browsers", "Send all away"), way_in_);
+    away->setToolTip(translated("Browsers", "All lines end, and no address that was lets anybody in"));
     connect(away, &QPushButton::clicked, this, [this] {
         actions_.choose("browsers-away");
         refresh();
@@ -265,7 +270,8 @@ void BrowserPanel::hideEvent(QHideEvent*) {
 
 void BrowserPanel::refresh() {
     web::Server* const server = browsers_.server();
-    listens_->setText(server ? "End it" : "Let browsers look on");
+    listens_->setText(server ? translated("Browsers", "End it")
+                             : translated("Browsers", "Let browsers look on"));
     places_->setEnabled(!server);
     port_->setEnabled(!server);
     way_in_->setVisible(server != nullptr);
@@ -305,24 +311,24 @@ void BrowserPanel::show_keys(web::Server& server) {
         address_->setCursorPosition(0);
     }
     code_->show_text(whole);
-    code_->setAccessibleDescription(with_control ? "With control" : "To look on");
+    code_->setAccessibleDescription(with_control ? translated("Browsers", "With control")
+                                                 : translated("Browsers", "To look on"));
     const QString digits = QString::fromStdString(keys.digits);
     digits_->setText(digits.isEmpty()
                          ? QString()
-                         : QString("Or <b>%1</b> and the digits <b>%2 %3</b>, for %4")
+                         : translated("Browsers", "Or <b>%1</b> and the digits <b>%2 %3</b>, for %4")
                                .arg(QString::fromStdString(address).toHtmlEscaped(), digits.left(3),
                                     digits.mid(3), clock_text(keys.digits_left_s)));
 }
 
 void BrowserPanel::show_lookers(const std::vector<web::Looker>& lookers) {
-    QString text = lookers.empty()       ? QString("Nobody looks on.")
-                   : lookers.size() == 1 ? QString("One looks on:")
-                                         : QString("%1 look on:").arg(lookers.size());
+    QString text = lookers.empty() ? translated("Browsers", "Nobody looks on.")
+                                   : translated("Browsers", "%n look(s) on:", nullptr, lookers.size());
     for (const web::Looker& looker : lookers)
-        text += QString("\n%1, %2, %3 pictures a second%4")
-                    .arg(QString::fromStdString(looker.from), clock_text(looker.seconds))
-                    .arg(looker.rate_hz, 0, 'f', 0)
-                    .arg(looker.controls ? ", may control" : "");
+        text += "\n" + (looker.controls ? translated("Browsers", "%1, %2, %3 pictures a second, may control")
+                                        : translated("Browsers", "%1, %2, %3 pictures a second"))
+                           .arg(QString::fromStdString(looker.from), clock_text(looker.seconds))
+                           .arg(looker.rate_hz, 0, 'f', 0);
     if (who_->text() != text) who_->setText(text);
 }
 

@@ -2,6 +2,7 @@
 #include "ui/panels/cue_panel.h"
 
 #include "show/show.h"
+#include "ui/language/language.h"
 #include "ui/widgets/following.h"
 #include "ui/widgets/theme.h"
 
@@ -68,17 +69,19 @@ CuePanel::CuePanel(AppModel& app, CueList& cues, Looks& looks, Actions& actions,
     : QWidget(parent), app_(app), cues_(cues), looks_(looks), actions_(actions), next_(new QLabel(this)),
       table_(new QTableWidget(0, kCueColumns, this)) {
     next_->setWordWrap(true);
-    table_->setAccessibleName("Cues");
-    table_->setHorizontalHeaderLabels(
-        {"Cue", "Look", "Fade s", "Follow s", "At s", "Camera", "Flight s", "Notes"});
+    table_->setAccessibleName(translated("Cues", "Cues"));
+    table_->setHorizontalHeaderLabels({translated("Cues", "Cue"), translated("Cues", "Look"),
+                                       translated("Cues", "Fade s"), translated("Cues", "Follow s"),
+                                       translated("Cues", "At s"), translated("Cues", "Camera"),
+                                       translated("Cues", "Flight s"), translated("Cues", "Notes")});
     table_->setSelectionBehavior(QAbstractItemView::SelectRows);
     table_->setSelectionMode(QAbstractItemView::SingleSelection);
     table_->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed);
     table_->setAlternatingRowColors(true);
     table_->setShowGrid(false);
-    table_->setToolTip(
-        "Double click or F2: change what stands there. Fade: empty is that of the look. Follow: the "
-        "next cue goes by itself that long after this one.");
+    table_->setToolTip(translated(
+        "Cues", "Double click or F2: change what stands there. Fade: empty is that of the look. Follow: the "
+                "next cue goes by itself that long after this one."));
     table_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     table_->horizontalHeader()->setStretchLastSection(true);
     table_->setItemDelegateForColumn(look, new ChoiceDelegate(
@@ -105,23 +108,31 @@ CuePanel::CuePanel(AppModel& app, CueList& cues, Looks& looks, Actions& actions,
         // What was refused is not left standing; the table is not filled while it tells of a change.
         QMetaObject::invokeMethod(this, &CuePanel::fill, Qt::QueuedConnection);
     });
-    go_ = add_button("Go", "The next cue (Ctrl+G)", [] { return QString("cue-go"); });
+    go_ = add_button(translated("Cues", "Go"), translated("Cues", "The next cue (Ctrl+G)"),
+                     [] { return QString("cue-go"); });
     go_->setMinimumHeight(40);
-    back_ = add_button("Back", "The cue before (Ctrl+Shift+G)", [] { return QString("cue-back"); });
+    back_ = add_button(translated("Cues", "Back"), translated("Cues", "The cue before (Ctrl+Shift+G)"),
+                       [] { return QString("cue-back"); });
     QPushButton* const call =
-        add_button("Go to this", "The chosen cue", [this] { return "cue " + chosen(); });
-    QPushButton* const add = add_button("Add",
-                                        "A cue of the look that was recalled or stored last, or of this "
-                                        "moment of the recording",
-                                        [this] {
-                                            const QString of = QString::fromStdString(looks_.current());
-                                            return "cue-add \"\" " + quoted(of);
-                                        });
-    remove_ = add_button("Remove", "Can be undone", [this] { return "cue-remove " + chosen(); });
-    up_ = add_button("Up", "Earlier in the list", [this] { return "cue-move " + chosen() + " up"; });
-    down_ = add_button("Down", "Later in the list", [this] { return "cue-move " + chosen() + " down"; });
-    auto* follows = new QCheckBox("Follow the recording", this);
-    follows->setToolTip("A cue with a second is called when the recording, or its time code, comes by");
+        add_button(translated("Cues", "Go to this"), translated("Cues", "The chosen cue"),
+                   [this] { return "cue " + chosen(); });
+    QPushButton* const add =
+        add_button(translated("Cues", "Add"),
+                   translated("Cues", "A cue of the look that was recalled or stored last, or of this "
+                                      "moment of the recording"),
+                   [this] {
+                       const QString of = QString::fromStdString(looks_.current());
+                       return "cue-add \"\" " + quoted(of);
+                   });
+    remove_ = add_button(translated("Cues", "Remove"), translated("Cues", "Can be undone"),
+                         [this] { return "cue-remove " + chosen(); });
+    up_ = add_button(translated("Cues", "Up"), translated("Cues", "Earlier in the list"),
+                     [this] { return "cue-move " + chosen() + " up"; });
+    down_ = add_button(translated("Cues", "Down"), translated("Cues", "Later in the list"),
+                       [this] { return "cue-move " + chosen() + " down"; });
+    auto* follows = new QCheckBox(translated("Cues", "Follow the recording"), this);
+    follows->setToolTip(
+        translated("Cues", "A cue with a second is called when the recording, or its time code, comes by"));
     connect(follows, &QCheckBox::toggled, this, [this](bool on) { cues_.set_follows_recording(on); });
     auto* layout = new QVBoxLayout(this);
     layout->addWidget(next_);
@@ -160,12 +171,12 @@ void CuePanel::fill_menu(QMenu& menu) {
         item->setEnabled(can);
         connect(item, &QAction::triggered, this, [this, line] { actions_.choose(line); });
     };
-    add("Go to this", "cue " + chosen());
+    add(translated("Cues", "Go to this"), "cue " + chosen());
     menu.addSeparator();
-    add("Up", "cue-move " + chosen() + " up", up_->isEnabled());
-    add("Down", "cue-move " + chosen() + " down", down_->isEnabled());
+    add(translated("Cues", "Up"), "cue-move " + chosen() + " up", up_->isEnabled());
+    add(translated("Cues", "Down"), "cue-move " + chosen() + " down", down_->isEnabled());
     menu.addSeparator();
-    add("Remove", "cue-remove " + chosen());
+    add(translated("Cues", "Remove"), "cue-remove " + chosen());
 }
 
 QString CuePanel::chosen() const {
@@ -194,10 +205,13 @@ void CuePanel::show_next() {
     const std::vector<scene::Cue>& cues = cues_.all();
     const std::size_t next = cues_.current() ? *cues_.current() + 1 : 0;
     const double follows_s = cues_.follows_in_s();
-    const QString by_itself = follows_s >= 0 ? QString(", in %1 s").arg(follows_s, 0, 'f', 1) : QString();
-    next_->setText(cues.empty()          ? QString("No cues yet. Store looks, recall one and add it here.")
-                   : next >= cues.size() ? QString("This was the last cue.")
-                                         : "Next: " + QString::fromStdString(cues[next].name) + by_itself);
+    next_->setText(cues.empty() ? translated("Cues", "No cues yet. Store looks, recall one and add it here.")
+                   : next >= cues.size() ? translated("Cues", "This was the last cue.")
+                   : follows_s < 0
+                       ? translated("Cues", "Next: %1").arg(QString::fromStdString(cues[next].name))
+                       : translated("Cues", "Next: %1, in %2 s")
+                             .arg(QString::fromStdString(cues[next].name))
+                             .arg(follows_s, 0, 'f', 1));
     if (follows_s >= 0 && !countdown_.isActive()) countdown_.start();
     if (follows_s < 0) countdown_.stop();
     go_->setEnabled(next < cues.size());

@@ -3,6 +3,7 @@
 
 #include "show/show.h"
 #include "ui/actions/exporter.h"
+#include "ui/language/language.h"
 #include "ui/widgets/theme.h"
 
 #include <QFileDialog>
@@ -20,15 +21,15 @@ constexpr double kLongest_s = 99999; // of a film; scripts take more
 
 QString job_words(const Job& job) {
     QString words = "<b>" + job.title.toHtmlEscaped() + "</b>: ";
-    if (job.is_given_up && !job.is_over()) return words + "stopping";
+    if (job.is_given_up && !job.is_over()) return words + translated("Jobs", "stopping");
     if (job.state == Job::State::runs) {
-        words += job.doing.isEmpty() ? QString("begins") : job.doing.toHtmlEscaped();
-        if (!job.left.isEmpty()) words += ", " + job.left + " left";
+        words += job.doing.isEmpty() ? translated("Jobs", "begins") : said(job.doing).toHtmlEscaped();
+        if (!job.left.isEmpty()) words += translated("Jobs", ", %1 left").arg(job.left);
         return words;
     }
-    words += state_name(job.state);
+    words += translated("Jobs", state_name(job.state));
     if (job.state == Job::State::failed || (job.state == Job::State::cancelled && is_on_farm(job)))
-        words += ". " + job.last_said.toHtmlEscaped();
+        words += ". " + said(job.last_said).toHtmlEscaped();
     return words;
 }
 
@@ -43,11 +44,12 @@ QSpinBox* number_box(int low, int high, int value, const QString& name, QWidget*
 // Who does it: this machine, or a farm.
 QComboBox* maker_box(const QString& name, QWidget* parent) {
     auto* box = new QComboBox(parent);
-    box->addItem("This machine", "");
-    box->addItem("A farm (Slurm)", " slurm");
-    box->setToolTip("A farm cuts it into tasks for many machines, which must see the show under the same "
-                    "path. Its partition: "
-                    "SBATCH_PARTITION in the environment. Cancel stops following it only.");
+    box->addItem(translated("Export", "This machine"), "");
+    box->addItem(translated("Export", "A farm (Slurm)"), " slurm");
+    box->setToolTip(translated(
+        "Export", "A farm cuts it into tasks for many machines, which must see the show under the same "
+                  "path. Its partition: "
+                  "SBATCH_PARTITION in the environment. Cancel stops following it only."));
     box->setAccessibleName(name);
     return box;
 }
@@ -76,15 +78,16 @@ ExportPanel::ExportPanel(AppModel& app, Actions& actions, QWidget* parent)
 }
 
 QWidget* ExportPanel::make_bake() {
-    auto* box = new QGroupBox("Bake", this);
-    box->setToolTip(
-        "The final picture of a fixed camera, lit live. What is finished stays if it is cancelled.");
+    auto* box = new QGroupBox(translated("Export", "Bake"), this);
+    box->setToolTip(translated(
+        "Export",
+        "The final picture of a fixed camera, lit live. What is finished stays if it is cancelled."));
     auto* form = new QFormLayout(box);
     bake_camera_ = new QComboBox(box);
-    bake_camera_->setAccessibleName("Camera to bake");
-    spp_ = number_box(1, 1024, 16, "Samples per pixel", box);
-    bounces_ = number_box(0, 16, 0, "Bounces of indirect light", box);
-    auto* button = new QPushButton("Bake", box);
+    bake_camera_->setAccessibleName(translated("Export", "Camera to bake"));
+    spp_ = number_box(1, 1024, 16, translated("Export", "Samples per pixel"), box);
+    bounces_ = number_box(0, 16, 0, translated("Export", "Bounces of indirect light"), box);
+    auto* button = new QPushButton(translated("Export", "Bake"), box);
     connect(button, &QPushButton::clicked, this, [this] {
         const QString camera =
             bake_camera_->currentIndex() <= 0 ? QString("all") : "\"" + bake_camera_->currentText() + "\"";
@@ -94,25 +97,26 @@ QWidget* ExportPanel::make_bake() {
                 .arg(bounces_->value())
                 .arg(bake_by_->currentData().toString()));
     });
-    bake_by_ = maker_box("Who bakes", box);
-    form->addRow("Camera", bake_camera_);
-    form->addRow("Samples", spp_);
-    form->addRow("Bounces", bounces_);
-    form->addRow("By", bake_by_);
+    bake_by_ = maker_box(translated("Export", "Who bakes"), box);
+    form->addRow(translated("Export", "Camera"), bake_camera_);
+    form->addRow(translated("Export", "Samples"), spp_);
+    form->addRow(translated("Export", "Bounces"), bounces_);
+    form->addRow(translated("Export", "By"), bake_by_);
     form->addRow(button);
     return box;
 }
 
 QWidget* ExportPanel::make_pictures() {
-    auto* box = new QGroupBox("Pictures", this);
+    auto* box = new QGroupBox(translated("Export", "Pictures"), this);
     auto* form = new QFormLayout(box);
     camera_ = new QComboBox(box);
-    camera_->setToolTip("As the window sees it: drawn live. A camera of the show: from its passes.");
-    camera_->setAccessibleName("Camera of pictures");
+    camera_->setToolTip(
+        translated("Export", "As the window sees it: drawn live. A camera of the show: from its passes."));
+    camera_->setAccessibleName(translated("Export", "Camera of pictures"));
     size_ = new QComboBox(box);
     size_->setEditable(true);
     size_->addItems({"1920x1080", "1280x720", "3840x2160", "7680x4320"});
-    size_->setAccessibleName("Size of pictures");
+    size_->setAccessibleName(translated("Export", "Size of pictures"));
     for (QComboBox* one : {bake_camera_, camera_, size_}) {
         one->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
         one->setMinimumContentsLength(8);
@@ -124,20 +128,22 @@ QWidget* ExportPanel::make_pictures() {
         seconds->setSuffix(" s");
         seconds->setDecimals(1);
     }
-    from_->setAccessibleName("Begin of the film");
-    to_->setAccessibleName("End of the film");
-    fps_ = number_box(1, 240, 30, "Pictures a second", box);
-    auto* still = new QPushButton("Still...", box);
-    auto* film = new QPushButton("Film...", box);
-    auto* sheet = new QPushButton("Contact sheet...", box);
-    sheet->setToolTip("All looks from all cameras; without looks, the cues");
+    from_->setAccessibleName(translated("Export", "Begin of the film"));
+    to_->setAccessibleName(translated("Export", "End of the film"));
+    fps_ = number_box(1, 240, 30, translated("Export", "Pictures a second"), box);
+    auto* still = new QPushButton(translated("Export", "Still..."), box);
+    auto* film = new QPushButton(translated("Export", "Film..."), box);
+    auto* sheet = new QPushButton(translated("Export", "Contact sheet..."), box);
+    sheet->setToolTip(translated("Export", "All looks from all cameras; without looks, the cues"));
     connect(still, &QPushButton::clicked, this, [this] {
-        run_with_file("export-still", "Save a still", "Pictures (*.png *.exr)",
+        run_with_file("export-still", translated("Export", "Save a still"),
+                      translated("Files", "Pictures (*.png *.exr)"),
                       camera_->currentIndex() <= 0 ? size_->currentText()
                                                    : "\"" + camera_->currentText() + "\"");
     });
     connect(film, &QPushButton::clicked, this, [this] {
-        run_with_file("export-film", "Save a film", "Films (*.mp4)",
+        run_with_file("export-film", translated("Export", "Save a film"),
+                      translated("Files", "Films (*.mp4)"),
                       QString("%1 %2 %3 %4%5")
                           .arg(from_->value())
                           .arg(to_->value())
@@ -145,19 +151,21 @@ QWidget* ExportPanel::make_pictures() {
                           .arg(size_->currentText())
                           .arg(film_by_->currentData().toString()));
     });
-    connect(sheet, &QPushButton::clicked, this,
-            [this] { run_with_file("export-sheet", "Save a contact sheet", "Pictures (*.png)", ""); });
+    connect(sheet, &QPushButton::clicked, this, [this] {
+        run_with_file("export-sheet", translated("Export", "Save a contact sheet"),
+                      translated("Files", "Pictures (*.png)"), "");
+    });
     auto* range = new QHBoxLayout;
     range->addWidget(from_);
     range->addWidget(new QLabel("to", box));
     range->addWidget(to_);
-    form->addRow("Camera", camera_);
-    form->addRow("Size", size_);
-    form->addRow("Film", range);
-    form->addRow("Its rate", fps_);
-    film_by_ = maker_box("Who draws films", box);
-    form->addRow("By", film_by_);
-    fps_->setSuffix(" a second");
+    form->addRow(translated("Export", "Camera"), camera_);
+    form->addRow(translated("Export", "Size"), size_);
+    form->addRow(translated("Export", "Film"), range);
+    form->addRow(translated("Export", "Its rate"), fps_);
+    film_by_ = maker_box(translated("Export", "Who draws films"), box);
+    form->addRow(translated("Export", "By"), film_by_);
+    fps_->setSuffix(translated("Export", " a second"));
     auto* buttons = new QHBoxLayout;
     for (QPushButton* button : {still, film}) buttons->addWidget(button);
     form->addRow(buttons);
@@ -184,8 +192,8 @@ void ExportPanel::name_cameras() {
             box->addItem(QString::fromStdString(camera.name));
         box->setCurrentText(before.isEmpty() ? first : before);
     };
-    fill(bake_camera_, "All cameras");
-    fill(camera_, "As the window sees it");
+    fill(bake_camera_, translated("Export", "All cameras"));
+    fill(camera_, translated("Export", "As the window sees it"));
     if (!app_.opened().is_edit) to_->setValue(app_.opened().recording_s);
 }
 
@@ -200,7 +208,7 @@ ExportPanel::Row ExportPanel::add_row(const Job& job) {
     row.bar = new QProgressBar(row.widget);
     row.bar->setRange(0, 1000);
     row.bar->setTextVisible(false);
-    row.cancel = new QPushButton("Cancel", row.widget);
+    row.cancel = new QPushButton(translated("Export", "Cancel"), row.widget);
     connect(row.cancel, &QPushButton::clicked, this,
             [this, number = job.number] { app_.jobs().cancel(number); });
     auto* line = new QHBoxLayout;
@@ -219,7 +227,7 @@ void ExportPanel::show_jobs() {
         if (!rows_.contains(job.number)) rows_[job.number] = add_row(job);
         const Row& row = rows_.at(job.number);
         row.words->setText(job_words(job));
-        row.words->setToolTip(job.last_said);
+        row.words->setToolTip(said(job.last_said));
         row.bar->setValue(static_cast<int>(1000 * job.share));
         row.bar->setVisible(!job.is_over());
         row.cancel->setVisible(!job.is_over());

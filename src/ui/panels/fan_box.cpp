@@ -2,6 +2,7 @@
 #include "ui/panels/fan_box.h"
 
 #include "show/show.h"
+#include "ui/language/language.h"
 #include "ui/widgets/following.h"
 
 #include <QGridLayout>
@@ -10,11 +11,20 @@
 namespace ghost::ui {
 namespace {
 
-constexpr const char* kWords[] = {"Intensity", "Zoom", "Pan", "Tilt", "Gobo", "Colour"}; // kHeadWords
-constexpr const char* kKinds[] = {"First to last", "Symmetric", "From the centre"};
-constexpr const char* kOrders[] = {"As selected", "As listed", "Left to right"};
+constexpr const char* kWords[] = { // kHeadWords
+    QT_TRANSLATE_NOOP("Programmer", "Intensity"), QT_TRANSLATE_NOOP("Programmer", "Zoom"),
+    QT_TRANSLATE_NOOP("Programmer", "Pan"),       QT_TRANSLATE_NOOP("Programmer", "Tilt"),
+    QT_TRANSLATE_NOOP("Programmer", "Gobo"),      QT_TRANSLATE_NOOP("Programmer", "Colour")};
+constexpr const char* kKinds[] = {QT_TRANSLATE_NOOP("Fan", "First to last"),
+                                  QT_TRANSLATE_NOOP("Fan", "Symmetric"),
+                                  QT_TRANSLATE_NOOP("Fan", "From the centre")};
+constexpr const char* kOrders[] = {QT_TRANSLATE_NOOP("Fan", "As selected"),
+                                   QT_TRANSLATE_NOOP("Fan", "As listed"),
+                                   QT_TRANSLATE_NOOP("Fan", "Left to right")};
 constexpr std::pair<const char*, const char*> kNames[] = {
-    {"First", "Last"}, {"Ends", "Middle"}, {"Middle", "Ends by"}};
+    {QT_TRANSLATE_NOOP("Fan", "First"), QT_TRANSLATE_NOOP("Fan", "Last")},
+    {QT_TRANSLATE_NOOP("Fan", "Ends"), QT_TRANSLATE_NOOP("Fan", "Middle")},
+    {QT_TRANSLATE_NOOP("Fan", "Middle"), QT_TRANSLATE_NOOP("Fan", "Ends by")}};
 
 QPushButton* button(const QString& text, const QString& tip, QWidget* parent) {
     auto* one = new QPushButton(text, parent);
@@ -29,15 +39,19 @@ FanBox::FanBox(AppModel& app, Actions& actions, QWidget* parent)
       what_(new QComboBox(this)), kind_(new QComboBox(this)), order_(new QComboBox(this)),
       a_name_(new QLabel(this)), b_name_(new QLabel(this)), a_(new QDoubleSpinBox(this)),
       b_(new QDoubleSpinBox(this)),
-      as_first_(button("All as first", "All get the value of the first one that was selected", this)),
-      as_last_(button("All as last", "All get the value of the last one that was selected", this)),
-      between_(button("Between them", "Evenly from what the first has to what the last has", this)) {
-    unfold_->setText("Fan and align");
+      as_first_(button(translated("Fan", "All as first"),
+                       translated("Fan", "All get the value of the first one that was selected"), this)),
+      as_last_(button(translated("Fan", "All as last"),
+                      translated("Fan", "All get the value of the last one that was selected"), this)),
+      between_(button(translated("Fan", "Between them"),
+                      translated("Fan", "Evenly from what the first has to what the last has"), this)) {
+    unfold_->setText(translated("Fan", "Fan and align"));
     unfold_->setCheckable(true);
     unfold_->setAutoRaise(true);
     unfold_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     unfold_->setArrowType(Qt::RightArrow);
-    unfold_->setToolTip("Spreads a value over the selected heads, or gives them that of one");
+    unfold_->setToolTip(
+        translated("Fan", "Spreads a value over the selected heads, or gives them that of one"));
     auto* inside = new QWidget(this);
     add_rows(*inside);
     inside->hide();
@@ -69,11 +83,11 @@ FanBox::FanBox(AppModel& app, Actions& actions, QWidget* parent)
 }
 
 void FanBox::add_rows(QWidget& inside) {
-    what_->setAccessibleName("What is spread");
-    kind_->setAccessibleName("How it is spread");
-    order_->setAccessibleName("Order of the heads");
-    for (const char* const one : kKinds) kind_->addItem(one);
-    for (const char* const one : kOrders) order_->addItem(one);
+    what_->setAccessibleName(translated("Fan", "What is spread"));
+    kind_->setAccessibleName(translated("Fan", "How it is spread"));
+    order_->setAccessibleName(translated("Fan", "Order of the heads"));
+    for (const char* const one : kKinds) kind_->addItem(translated("Fan", one));
+    for (const char* const one : kOrders) order_->addItem(translated("Fan", one));
     auto* grid = new QGridLayout(&inside);
     grid->setContentsMargins(0, 0, 0, 0);
     grid->setHorizontalSpacing(4);
@@ -99,7 +113,8 @@ void FanBox::add_rows(QWidget& inside) {
 void FanBox::set_parameters(const std::vector<HeadParameter>& parameters) {
     const QString before = word();
     what_->clear();
-    for (std::size_t i = 0; i < kHeadWords.size(); ++i) what_->addItem(kWords[i], kHeadWords[i]);
+    for (std::size_t i = 0; i < kHeadWords.size(); ++i)
+        what_->addItem(translated("Programmer", kWords[i]), kHeadWords[i]);
     for (const HeadParameter& parameter : parameters)
         what_->addItem(parameter.name, QString::fromStdString(parameter.attribute));
     what_->setCurrentIndex(before.isEmpty() ? what_->findData("pan") : std::max(what_->findData(before), 0));
@@ -119,10 +134,10 @@ double FanBox::per_unit() const {
 void FanBox::begin() {
     const auto kind = static_cast<std::size_t>(kind_->currentIndex());
     const bool is_number = word() != "colour";
-    a_name_->setText(kNames[kind].first);
-    b_name_->setText(kNames[kind].second);
-    a_->setAccessibleName(kNames[kind].first);
-    b_->setAccessibleName(kNames[kind].second);
+    a_name_->setText(translated("Fan", kNames[kind].first));
+    b_name_->setText(translated("Fan", kNames[kind].second));
+    a_->setAccessibleName(a_name_->text());
+    b_->setAccessibleName(b_name_->text());
     const std::size_t count = app_.selection().size();
     setEnabled(count > 1);
     for (QWidget* const one : std::initializer_list<QWidget*>{a_, b_, a_name_, b_name_, kind_})
@@ -135,7 +150,7 @@ void FanBox::begin() {
                                                                        : word() == "gobo" ? 255
                                                                                           : 100);
         one->setDecimals(is_degrees ? 1 : 0);
-        one->setSuffix(is_degrees ? " deg" : word() == "gobo" ? "" : " %");
+        one->setSuffix(is_degrees ? translated("Value", " deg") : word() == "gobo" ? "" : " %");
     }
     if (static_cast<Fan>(kind) == Fan::centre) b_->setRange(-b_->maximum(), b_->maximum());
     std::vector<std::size_t> heads = heads_in(static_cast<HeadOrder>(order_->currentIndex()), app_);

@@ -4,6 +4,7 @@
 #include "show/show.h"
 #include "ui/actions/patch_actions.h"
 #include "ui/actions/programmer_actions.h"
+#include "ui/language/language.h"
 #include "ui/widgets/fixture_table.h"
 #include "ui/widgets/following.h"
 #include "ui/widgets/theme.h"
@@ -72,21 +73,22 @@ public:
 FixturePanel::FixturePanel(AppModel& app, ShowDocument& document, QWidget* parent)
     : QWidget(parent), app_(app), document_(document) {
     search_ = new QLineEdit(this);
-    search_->setPlaceholderText("Search");
-    search_->setToolTip("In names, addresses, types and modes");
+    search_->setPlaceholderText(translated("Fixtures", "Search"));
+    search_->setToolTip(translated("Fixtures", "In names, addresses, types and modes"));
     search_->setClearButtonEnabled(true);
-    search_->setAccessibleName("Search fixtures");
+    search_->setAccessibleName(translated("Fixtures", "Search fixtures"));
     title_ = new QLabel(this);
     title_->setWordWrap(true);
     group_ = new QComboBox(this);
-    group_->setAccessibleName("Group of fixtures");
-    group_->setToolTip("One type, layer or truss alone; Enter in the search selects what is listed");
+    group_->setAccessibleName(translated("Fixtures", "Group of fixtures"));
+    group_->setToolTip(
+        translated("Fixtures", "One type, layer or truss alone; Enter in the search selects what is listed"));
     group_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     group_->setMinimumContentsLength(5);
     dark_ = new QToolButton(this);
-    dark_->setText("Dark");
+    dark_->setText(translated("Fixtures", "Dark"));
     dark_->setCheckable(true);
-    dark_->setToolTip("Only fixtures that do not shine, by reasons");
+    dark_->setToolTip(translated("Fixtures", "Only fixtures that do not shine, by reasons"));
     list_ = new FixtureList(app, this);
     list_->edit = [this](FixtureList::Column column, const QString& words) {
         const Result<void> done = edit(column, words);
@@ -110,7 +112,7 @@ FixturePanel::FixturePanel(AppModel& app, ShowDocument& document, QWidget* paren
     table_->verticalHeader()->hide();
     table_->verticalHeader()->setDefaultSectionSize(table_->fontMetrics().height() + 8);
     table_->horizontalHeader()->setMinimumSectionSize(2 * table_->fontMetrics().averageCharWidth());
-    table_->setAccessibleName("Fixtures");
+    table_->setAccessibleName(translated("Fixtures", "Fixtures"));
     const int letter = table_->fontMetrics().averageCharWidth();
     for (const auto& [column, letters] : {std::pair{FixtureList::name, 18},
                                           {FixtureList::patch, 9},
@@ -170,7 +172,8 @@ Result<void> FixturePanel::edit(FixtureList::Column column, const QString& words
     case FixtureList::name:
         return edit.rename(words);
     case FixtureList::patch: {
-        TRY(const fixture::Address address, address_of(words));
+        TRY(const fixture::Address address,
+            address_of(words == translated("Fixtures", "none") ? "none" : words));
         return edit.set_address(address);
     }
     case FixtureList::mode:
@@ -199,9 +202,9 @@ void FixturePanel::list_groups() {
     group_->clear();
     std::size_t dark = 0;
     for (const FixtureGroup& group : groups_) dark += group.fixtures.size();
-    group_->addItem(!dark_->isChecked()       ? QString("All fixtures")
-                    : app_.verdicts().empty() ? QString("Asking why ...")
-                                              : QString("All %1 that are dark").arg(dark));
+    group_->addItem(!dark_->isChecked()       ? translated("Fixtures", "All fixtures")
+                    : app_.verdicts().empty() ? translated("Fixtures", "Asking why ...")
+                                              : translated("Fixtures", "All %1 that are dark").arg(dark));
     for (const FixtureGroup& group : groups_)
         group_->addItem(QString("%1 (%2)").arg(group.title).arg(group.fixtures.size()), group.title);
     group_->setCurrentIndex(before.isEmpty() ? 0 : std::max(group_->findData(before), 0));
@@ -227,8 +230,9 @@ void FixturePanel::show_group() {
 
 void FixturePanel::count() {
     const std::size_t all = app_.show() ? app_.show()->fixtures.size() : 0;
-    QString words = QString("%1 %2").arg(all).arg(all == 1 ? "fixture" : "fixtures");
-    if (!app_.selection().empty()) words += QString(", %1 selected").arg(app_.selection().size());
+    QString words = translated("Fixtures", "%n fixture(s)", nullptr, all);
+    if (!app_.selection().empty())
+        words = translated("Fixtures", "%1, %2 selected").arg(words).arg(app_.selection().size());
     title_->setText(words);
 }
 

@@ -2,6 +2,7 @@
 #include "ui/panels/look_panel.h"
 
 #include "ui/actions/programmer_actions.h"
+#include "ui/language/language.h"
 #include "ui/widgets/following.h"
 #include "ui/widgets/theme.h"
 
@@ -14,10 +15,10 @@ LookPanel::LookPanel(AppModel& app, Looks& looks, Actions& actions, QWidget* par
     : QWidget(parent), app_(app), looks_(looks), actions_(actions) {
     auto* layout = new QVBoxLayout(this);
     list_ = new QListWidget(this);
-    list_->setAccessibleName("Looks");
+    list_->setAccessibleName(translated("Looks", "Looks"));
     list_->setEditTriggers(QAbstractItemView::EditKeyPressed);
     list_->setAlternatingRowColors(true);
-    list_->setToolTip("Double click or Enter: recall. F2: another name.");
+    list_->setToolTip(translated("Looks", "Double click or Enter: recall. F2: another name."));
     layout->addWidget(list_, 1);
     connect(list_, &QListWidget::itemDoubleClicked, this, [this] { run("look-recall " + quoted(chosen())); });
     connect(list_, &QListWidget::currentItemChanged, this, &LookPanel::refresh);
@@ -30,20 +31,25 @@ LookPanel::LookPanel(AppModel& app, Looks& looks, Actions& actions, QWidget* par
 
     auto* buttons = new QGridLayout;
     const auto name = [this] { return quoted(chosen()); };
-    recall_ = add_button("Recall", "Fades to it", [=] { return "look-recall " + name(); });
-    QPushButton* store = add_button("Store what hands set", "As a new look",
-                                    [this] { return "look-store " + quoted(new_name()); });
+    recall_ = add_button(translated("Looks", "Recall"), translated("Looks", "Fades to it"),
+                         [=] { return "look-recall " + name(); });
+    QPushButton* store =
+        add_button(translated("Looks", "Store what hands set"), translated("Looks", "As a new look"),
+                   [this] { return "look-store " + quoted(new_name()); });
     QPushButton* capture =
-        add_button("Store what is seen", "Of the selected fixtures, or of all: whoever asked for it",
+        add_button(translated("Looks", "Store what is seen"),
+                   translated("Looks", "Of the selected fixtures, or of all: whoever asked for it"),
                    [this] { return "look-capture " + quoted(new_name()); });
     update_ =
-        add_button("Update", "Puts what hands set in its place", [=] { return "look-store " + name(); });
-    remove_ = add_button("Remove", "Can be undone", [=] { return "look-remove " + name(); });
+        add_button(translated("Looks", "Update"), translated("Looks", "Puts what hands set in its place"),
+                   [=] { return "look-store " + name(); });
+    remove_ = add_button(translated("Looks", "Remove"), translated("Looks", "Can be undone"),
+                         [=] { return "look-remove " + name(); });
     fade_ = new QDoubleSpinBox(this);
     fade_->setRange(0, scene::kLongestFade_s);
     fade_->setDecimals(1);
-    fade_->setSuffix(" s fade");
-    fade_->setAccessibleName("Seconds of the crossfade");
+    fade_->setSuffix(translated("Looks", " s fade"));
+    fade_->setAccessibleName(translated("Looks", "Seconds of the crossfade"));
     fade_->setKeyboardTracking(false);
     connect(fade_, &QDoubleSpinBox::valueChanged, this, [this](double seconds) {
         if (!follows_ && !chosen().isEmpty())
@@ -72,20 +78,22 @@ QPushButton* LookPanel::add_button(const QString& text, const QString& tip, std:
 }
 
 void LookPanel::add_what_if(QLayout* layout) {
-    solo_ = add_button("Solo", "The selected fixtures alone shine", [] { return QString("solo"); });
+    solo_ = add_button(translated("Looks", "Solo"), translated("Looks", "The selected fixtures alone shine"),
+                       [] { return QString("solo"); });
     solo_->setCheckable(true);
     what_if_ = new QLabel(this);
     what_if_->setWordWrap(true);
-    gel_ = new ColourRow("Gel", this);
-    gel_->setToolTip("A filter in front of the selected fixtures, on top of all else");
+    gel_ = new ColourRow(translated("Looks", "Gel"), this);
+    gel_->setToolTip(translated("Looks", "A filter in front of the selected fixtures, on top of all else"));
     gel_->on_change = [this](const QColor& colour) { run("gel " + colour.name()); };
     gel_->on_release = [this] {
-        change_selected(app_, "release gel", ProgrammerStep::step,
+        change_selected(app_, translated("Undo", "release %1").arg(translated("Undo", "gel")),
+                        ProgrammerStep::step,
                         [](fixture::Programmer& programmer) { programmer.gel.reset(); });
     };
-    lamp_ = new ValueRow("Lamp", {0, 4, 2, " x"}, this);
-    lamp_->setToolTip("Another lamp: how many times as much light");
-    lamp_k_ = new ValueRow("Its white", {2000, 10000, 0, " K"}, this);
+    lamp_ = new ValueRow(translated("Looks", "Lamp"), {0, 4, 2, " x"}, this);
+    lamp_->setToolTip(translated("Looks", "Another lamp: how many times as much light"));
+    lamp_k_ = new ValueRow(translated("Looks", "Its white"), {2000, 10000, 0, " K"}, this);
     const auto connect_row = [this](ValueRow* row, const QString& what,
                                     std::optional<float> fixture::Programmer::*value) {
         row->on_change = [this, what, value](double number) {
@@ -94,12 +102,12 @@ void LookPanel::add_what_if(QLayout* layout) {
             });
         };
         row->on_release = [this, what, value] {
-            change_selected(app_, "release " + what, ProgrammerStep::step,
+            change_selected(app_, translated("Undo", "release %1").arg(what), ProgrammerStep::step,
                             [&](fixture::Programmer& programmer) { (programmer.*value).reset(); });
         };
     };
-    connect_row(lamp_, "lamp", &fixture::Programmer::lamp);
-    connect_row(lamp_k_, "white of the lamp", &fixture::Programmer::lamp_k);
+    connect_row(lamp_, translated("Undo", "lamp"), &fixture::Programmer::lamp);
+    connect_row(lamp_k_, translated("Undo", "white of the lamp"), &fixture::Programmer::lamp_k);
     for (QWidget* widget : std::initializer_list<QWidget*>{solo_, what_if_, gel_, lamp_, lamp_k_})
         layout->addWidget(widget);
 }
@@ -110,13 +118,13 @@ void LookPanel::fill_menu(QMenu& menu) {
         connect(menu.addAction(text), &QAction::triggered, this, std::move(done));
     };
     const QString name = quoted(chosen());
-    add("Recall", [this, name] { run("look-recall " + name); });
-    add("Add as a cue", [this, name] { run("cue-add \"\" " + name); });
+    add(translated("Looks", "Recall"), [this, name] { run("look-recall " + name); });
+    add(translated("Looks", "Add as a cue"), [this, name] { run("cue-add \"\" " + name); });
     menu.addSeparator();
-    add("Rename", [this] { list_->editItem(list_->currentItem()); });
-    add("Update with what hands set", [this, name] { run("look-store " + name); });
+    add(translated("Looks", "Rename"), [this] { list_->editItem(list_->currentItem()); });
+    add(translated("Looks", "Update with what hands set"), [this, name] { run("look-store " + name); });
     menu.addSeparator();
-    add("Remove", [this, name] { run("look-remove " + name); });
+    add(translated("Looks", "Remove"), [this, name] { run("look-remove " + name); });
 }
 
 void LookPanel::run(const QString& line) {
@@ -152,8 +160,7 @@ void LookPanel::list_names() {
         auto* item = new QListWidgetItem(QString::fromStdString(look.name), list_);
         item->setData(Qt::UserRole, item->text());
         item->setFlags(item->flags() | Qt::ItemIsEditable);
-        item->setToolTip(QString("%1 fixtures, %2 s")
-                             .arg(look.fixtures.size())
+        item->setToolTip(translated("Looks", "%n fixture(s), %1 s", nullptr, look.fixtures.size())
                              .arg(static_cast<double>(look.fade_s), 0, 'f', 1));
         if (item->text() == before) list_->setCurrentItem(item);
     }
@@ -175,12 +182,12 @@ void LookPanel::refresh() {
     if (index.ok()) fade_->setValue(static_cast<double>(looks_.all()[*index].fade_s));
     solo_->setChecked(!app_.look().solo.empty());
     const std::size_t count = app_.selection().size();
-    solo_->setText(app_.look().solo.empty() ? "Solo"
-                                            : QString("Solo: %1 shine").arg(app_.look().solo.size()));
+    solo_->setText(app_.look().solo.empty()
+                       ? translated("Looks", "Solo")
+                       : translated("Looks", "Solo: %n shine(s)", nullptr, app_.look().solo.size()));
     solo_->setEnabled(count > 0 || !app_.look().solo.empty());
-    what_if_->setText(count == 0   ? "What if: select fixtures to try another gel or lamp"
-                      : count == 1 ? QString("What if this fixture had")
-                                   : QString("What if %1 fixtures had").arg(count));
+    what_if_->setText(count == 0 ? translated("Looks", "What if: select fixtures to try another gel or lamp")
+                                 : translated("Looks", "What if %n fixture(s) had", nullptr, count));
     for (QWidget* widget : std::initializer_list<QWidget*>{gel_, lamp_, lamp_k_})
         widget->setEnabled(count > 0);
     fixture::Programmer programmer;

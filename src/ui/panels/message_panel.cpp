@@ -4,6 +4,7 @@
 #include "diagnose/doctor.h"
 #include "show/camera_moves.h"
 #include "show/show.h"
+#include "ui/language/language.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/wrapped_text.h"
 
@@ -27,8 +28,9 @@ constexpr float kAround_m = 2; // of a fixture that is looked at
 
 MessagePanel::MessagePanel(AppModel& app, QWidget* parent) : QWidget(parent), app_(app) {
     list_ = new QTreeWidget(this);
-    list_->setHeaderLabels({"", "What", "Where", "What to do"});
-    list_->setAccessibleName("Messages");
+    list_->setHeaderLabels({"", translated("Messages", "What"), translated("Messages", "Where"),
+                            translated("Messages", "What to do")});
+    list_->setAccessibleName(translated("Messages", "Messages"));
     list_->setRootIsDecorated(false);
     list_->setAlternatingRowColors(true);
     list_->setWordWrap(true);
@@ -44,7 +46,8 @@ MessagePanel::MessagePanel(AppModel& app, QWidget* parent) : QWidget(parent), ap
     for (const auto signal : {&AppModel::messages_came, &AppModel::not_opened, &AppModel::opened_show})
         connect(&app_, signal, this, &MessagePanel::refresh);
     connect(list_, &QTreeWidget::itemActivated, this, [this](const QTreeWidgetItem* item) { go_to(*item); });
-    list_->setToolTip("Double click or Enter: the fixtures that it is about, else the file.");
+    list_->setToolTip(
+        translated("Messages", "Double click or Enter: the fixtures that it is about, else the file."));
 }
 
 // What it names in quotes is selected and looked at; where that is no fixture, the file is opened.
@@ -81,21 +84,21 @@ void MessagePanel::refresh() {
     for (const scene::FindingGroup& group : scene::grouped(findings)) {
         const scene::Finding& first = group.first;
         auto* item = new QTreeWidgetItem(list_);
-        item->setText(0, scene::name_of(first.severity));
+        item->setText(0, said(scene::name_of(first.severity)));
         const QColor colour = first.severity == Severity::error     ? bad()
                               : first.severity == Severity::warning ? accent()
                                                                     : faint();
         item->setForeground(0, colour);
-        QString what = QString::fromStdString(first.what);
-        if (group.times > 1) what += QString(" (%1 times)").arg(group.times);
-        item->setText(1, what);
+        const QString what = said(first.what);
+        item->setText(1, group.times > 1 ? translated("Messages", "%1 (%2 times)").arg(what).arg(group.times)
+                                         : what);
         item->setText(2, QString::fromStdString(first.where));
-        item->setText(3, QString::fromStdString(first.advice));
+        item->setText(3, said(first.advice));
         for (int column = 1; column < 4; ++column) item->setToolTip(column, item->text(column));
     }
     if (list_->topLevelItemCount() > 0) return;
     auto* item = new QTreeWidgetItem(list_);
-    item->setText(1, "Nothing is wrong with this show.");
+    item->setText(1, translated("Messages", "Nothing is wrong with this show."));
     item->setForeground(1, good());
 }
 

@@ -4,6 +4,7 @@
 #include "show/show.h"
 #include "ui/actions/actions.h"
 #include "ui/actions/programmer_actions.h"
+#include "ui/language/language.h"
 
 #include <QHBoxLayout>
 #include <QLabel>

@@ -2,6 +2,7 @@
 #include "ui/panels/network_panel.h"
 
 #include "show/show.h"
+#include "ui/language/language.h"
 #include "ui/panels/rdm_box.h"
 #include "ui/widgets/theme.h"
 
@@ -105,7 +106,8 @@ void UniverseGrid::paintEvent(QPaintEvent*) {
     }
     if (known_) return;
     painter.setPen(faint());
-    painter.drawText(rect(), Qt::AlignCenter, QString("Nothing of universe %1 has come").arg(universe_));
+    painter.drawText(rect(), Qt::AlignCenter,
+                     translated("Network", "Nothing of universe %1 has come").arg(universe_));
 }
 
 bool UniverseGrid::event(QEvent* event) {
@@ -137,12 +139,15 @@ NetworkPanel::NetworkPanel(AppModel& app, Actions& actions, QWidget* parent) : Q
     diagnosis_->setTextFormat(Qt::RichText);
     diagnosis_->setTextInteractionFlags(Qt::TextSelectableByMouse);
     diagnosis_->hide();
-    summary_ = new QLabel("Nothing has come from the network yet.", this);
+    summary_ = new QLabel(translated("Network", "Nothing has come from the network yet."), this);
     summary_->setWordWrap(true);
     sources_ = new QTableWidget(0, kSourceColumns, this);
-    sources_->setAccessibleName("Sources");
+    sources_->setAccessibleName(translated("Network", "Sources"));
     sources_->setHorizontalHeaderLabels(
-        {"Universe", "Source", "Is", "Priority", "Rate", "Jitter", "Missed", "From", "Protocol", "Patched"});
+        {translated("Network", "Universe"), translated("Network", "Source"), translated("Network", "Is"),
+         translated("Network", "Priority"), translated("Network", "Rate"), translated("Network", "Jitter"),
+         translated("Network", "Missed"), translated("Network", "From"), translated("Network", "Protocol"),
+         translated("Network", "Patched")});
     sources_->verticalHeader()->hide();
     sources_->setEditTriggers(QAbstractItemView::NoEditTriggers);
     sources_->setSelectionBehavior(QAbstractItemView::SelectRows);
@@ -190,7 +195,7 @@ void NetworkPanel::refresh() {
 void NetworkPanel::refresh_diagnosis() {
     QString text;
     for (const scene::Sentence& sentence : app_.diagnosis()) {
-        const QString words = QString::fromStdString(sentence.text).toHtmlEscaped();
+        const QString words = said(sentence.text).toHtmlEscaped();
         const QString colour = (sentence.is_problem ? bad() : faint()).name();
         text += QString("<p style='margin:2px; color:%1'>%2</p>").arg(colour, words);
     }
@@ -202,15 +207,18 @@ void NetworkPanel::refresh_sources() {
     const dmx::Statistics& network = app_.network();
     std::uint64_t dropped = 0;
     for (const std::uint64_t count : network.drops) dropped += count;
-    QString text =
-        QString("sACN %1, Art-Net %2 packets").arg(network.packets_sacn).arg(network.packets_artnet);
-    if (dropped > 0) text += QString(", %1 not understood").arg(dropped);
-    if (network.merge.missed > 0) text += QString(", %1 lost on the way").arg(network.merge.missed);
-    if (network.overflow > 0) text += QString(", %1 lost in this machine").arg(network.overflow);
+    QString text = translated("Network", "sACN %1, Art-Net %2 packets")
+                       .arg(network.packets_sacn)
+                       .arg(network.packets_artnet);
+    if (dropped > 0) text += translated("Network", ", %1 not understood").arg(dropped);
+    if (network.merge.missed > 0)
+        text += translated("Network", ", %1 lost on the way").arg(network.merge.missed);
+    if (network.overflow > 0)
+        text += translated("Network", ", %1 lost in this machine").arg(network.overflow);
     if (network.merge.preview > 0)
-        text += QString(", %1 of a desk in preview (blind)").arg(network.merge.preview);
+        text += translated("Network", ", %1 of a desk in preview (blind)").arg(network.merge.preview);
     if (const dmx::Latency& latency = app_.latency(); latency.count() > 0)
-        text += QString("; packet to picture %1 ms (median), %2 (99 %), %3 at most")
+        text += translated("Network", "; packet to picture %1 ms (median), %2 (99 %), %3 at most")
                     .arg(latency.percentile_ms(0.5), 0, 'f', 0)
                     .arg(latency.percentile_ms(0.99), 0, 'f', 0)
                     .arg(latency.max_ms(), 0, 'f', 0);
@@ -221,7 +229,7 @@ void NetworkPanel::refresh_sources() {
         const QStringList cells{
             QString::number(source.universe),
             QString::fromStdString(source.name.empty() ? source.id : source.name),
-            QString::fromStdString(scene::role_text(source, network.sources)),
+            said(scene::role_text(source, network.sources)),
             QString::number(source.priority),
             QString("%1 Hz").arg(source.rate_hz, 0, 'f', 1),
             QString("%1 ms").arg(source.jitter_ms, 0, 'f', 1),
@@ -229,7 +237,7 @@ void NetworkPanel::refresh_sources() {
             source.protocol == dmx::Protocol::usb ? QString()
                                                   : QString::fromStdString(dmx::address_text(source.from)),
             QString::fromUtf8(dmx::protocol_name(source.protocol)),
-            app_.patch().has(source.universe) ? QString("yes") : QString("no"),
+            app_.patch().has(source.universe) ? translated("Network", "yes") : translated("Network", "no"),
         };
         for (int column = 0; column < cells.size(); ++column) {
             QTableWidgetItem* item = sources_->item(row, column);
@@ -250,7 +258,8 @@ void NetworkPanel::refresh_universes() {
     const int before = universes_->currentData().toInt();
     const QSignalBlocker blocker(universes_);
     universes_->clear();
-    for (const int number : numbers) universes_->addItem(QString("Universe %1").arg(number), number);
+    for (const int number : numbers)
+        universes_->addItem(translated("Network", "Universe %1").arg(number), number);
     universes_->setCurrentIndex(std::max(universes_->findData(before), 0));
     if (universes_->count() > 0) grid_->set_universe(universes_->currentData().toInt());
 }

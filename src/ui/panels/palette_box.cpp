@@ -2,6 +2,7 @@
 #include "ui/panels/palette_box.h"
 
 #include "ui/actions/programmer_actions.h"
+#include "ui/language/language.h"
 #include "ui/model/palette_values.h"
 #include "ui/widgets/following.h"
 
@@ -13,12 +14,15 @@
 namespace ghost::ui {
 namespace {
 
-constexpr const char* kTitles[] = {"Position", "Colour", "Beam", "Gobo"};
+constexpr const char* kTitles[] = {
+    QT_TRANSLATE_NOOP("Palettes", "Position"), QT_TRANSLATE_NOOP("Palettes", "Colour"),
+    QT_TRANSLATE_NOOP("Palettes", "Beam"), QT_TRANSLATE_NOOP("Palettes", "Gobo")};
 constexpr int kRows = 2; // of palettes that are seen without scrolling
 
 QString tip_of(const scene::Palette& palette) {
-    if (palette.fixtures.empty()) return "All heads: " + words_of(palette.values);
-    return QString("%1 heads, each its own").arg(palette.fixtures.size());
+    if (palette.fixtures.empty())
+        return translated("Palettes", "All heads: %1").arg(words_of(palette.values));
+    return translated("Palettes", "%n head(s), each its own", nullptr, palette.fixtures.size());
 }
 
 // Of a colour, or of as many as fit beside each other.
@@ -45,9 +49,9 @@ PaletteBox::PaletteBox(AppModel& app, PaletteList& palettes, Actions& actions, Q
     row->setSpacing(2);
     for (int i = 0; i < 4; ++i) {
         auto* button = new QToolButton(this);
-        button->setText(kTitles[i]);
+        button->setText(translated("Palettes", kTitles[i]));
         button->setCheckable(true);
-        button->setToolTip(QString("Palettes of %1").arg(QString(kTitles[i]).toLower()));
+        button->setToolTip(translated("Palettes", "Palettes: %1").arg(translated("Palettes", kTitles[i])));
         button->setChecked(i == 0);
         kinds_->addButton(button, i);
         row->addWidget(button);
@@ -55,11 +59,12 @@ PaletteBox::PaletteBox(AppModel& app, PaletteList& palettes, Actions& actions, Q
     row->addStretch(1);
     row->addWidget(store_);
     store_->setText("+");
-    store_->setAccessibleName("Store palette");
-    store_->setToolTip("What hands set of it for the selected fixtures, as a new palette of the show");
+    store_->setAccessibleName(translated("Palettes", "Store palette"));
+    store_->setToolTip(translated(
+        "Palettes", "What hands set of it for the selected fixtures, as a new palette of the show"));
     setTabOrder(kinds_->buttons().last(), store_);
     setTabOrder(store_, list_);
-    list_->setAccessibleName("Palettes");
+    list_->setAccessibleName(translated("Palettes", "Palettes"));
     list_->setFlow(QListView::LeftToRight);
     list_->setWrapping(true);
     list_->setResizeMode(QListView::Adjust);
@@ -67,7 +72,7 @@ PaletteBox::PaletteBox(AppModel& app, PaletteList& palettes, Actions& actions, Q
     list_->setEditTriggers(QAbstractItemView::EditKeyPressed);
     list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     list_->setFixedHeight(kRows * (fontMetrics().height() + 10) + 6);
-    list_->setToolTip("A click gives it to the selected fixtures. F2: another name.");
+    list_->setToolTip(translated("Palettes", "A click gives it to the selected fixtures. F2: another name."));
     setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred); // the panel may be narrow
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 4, 0, 0);
@@ -122,12 +127,13 @@ void PaletteBox::fill_menu(QMenu& menu) {
         connect(menu.addAction(text), &QAction::triggered, this, std::move(done));
     };
     const QString name = quoted(chosen());
-    add("Give it to the selected fixtures", [this, name] { run("palette " + name); });
+    add(translated("Palettes", "Give it to the selected fixtures"), [this, name] { run("palette " + name); });
     menu.addSeparator();
-    add("Rename", [this] { list_->editItem(list_->currentItem()); });
-    add("Update with what hands set", [this, name] { run("palette-store " + kind_word() + " " + name); });
+    add(translated("Palettes", "Rename"), [this] { list_->editItem(list_->currentItem()); });
+    add(translated("Palettes", "Update with what hands set"),
+        [this, name] { run("palette-store " + kind_word() + " " + name); });
     menu.addSeparator();
-    add("Remove", [this, name] { run("palette-remove " + name); });
+    add(translated("Palettes", "Remove"), [this, name] { run("palette-remove " + name); });
 }
 
 void PaletteBox::fill() {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/panels/plot_panel.h"
 
+#include "ui/language/language.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/wrapped_text.h"
 
@@ -22,19 +23,21 @@ constexpr std::size_t kMostRows = 50;   // of files, each with widgets; as many 
 constexpr int kFixtures = Qt::UserRole; // role: which ones a line is about
 
 QString heads(std::size_t count) {
-    return QString(count == 1 ? "%1 head" : "%1 heads").arg(count);
+    return translated("Plot", "%n head(s)", nullptr, count);
 }
 
 } // namespace
 
 PlotPanel::PlotPanel(AppModel& app, const PlotReport& report, Actions& actions, QWidget* parent)
     : QWidget(parent), app_(app), report_(report), actions_(actions), title_(new QLabel(this)),
-      tree_(new QTreeWidget(this)), same_(new QPushButton("Take what seems the same", this)),
-      select_(new QPushButton("Select these", this)), copy_(new QPushButton("Copy", this)),
-      save_(new QPushButton("Save as text...", this)) {
+      tree_(new QTreeWidget(this)),
+      same_(new QPushButton(translated("Plot", "Take what seems the same"), this)),
+      select_(new QPushButton(translated("Plot", "Select these"), this)),
+      copy_(new QPushButton(translated("Plot", "Copy"), this)),
+      save_(new QPushButton(translated("Plot", "Save as text..."), this)) {
     title_->setWordWrap(true);
     title_->setTextFormat(Qt::PlainText);
-    tree_->setAccessibleName("What the plot has");
+    tree_->setAccessibleName(translated("Plot", "What the plot has"));
     tree_->setHeaderHidden(true);
     tree_->setWordWrap(true);
     tree_->setIndentation(14);
@@ -42,10 +45,13 @@ PlotPanel::PlotPanel(AppModel& app, const PlotReport& report, Actions& actions, 
     tree_->setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
     tree_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     tree_->setItemDelegate(new WrappedText(tree_));
-    tree_->setToolTip("Double click or Enter: the fixtures that it is about are selected.");
-    same_->setToolTip("For each file the one whose name says that it is the same fixture");
-    select_->setToolTip("The fixtures that the chosen line is about, ringed in the picture");
-    copy_->setToolTip("All of it as text, for a mail");
+    tree_->setToolTip(
+        translated("Plot", "Double click or Enter: the fixtures that it is about are selected."));
+    same_->setToolTip(
+        translated("Plot", "For each file the one whose name says that it is the same fixture"));
+    select_->setToolTip(
+        translated("Plot", "The fixtures that the chosen line is about, ringed in the picture"));
+    copy_->setToolTip(translated("Plot", "All of it as text, for a mail"));
     auto* buttons = new QGridLayout;
     buttons->addWidget(same_, 0, 0, 1, 2);
     buttons->addWidget(select_, 1, 0, 1, 2);
@@ -90,12 +96,12 @@ QTreeWidgetItem* PlotPanel::add(QTreeWidgetItem& below, const QString& words,
 void PlotPanel::add_lightless(QTreeWidgetItem& section, const scene::LightlessType& type) {
     const QString wanted = QString::fromStdString(type.wanted);
     QTreeWidgetItem* const item =
-        add(section, heads(type.fixtures.size()) + ": " + wanted + " " + QString::fromStdString(type.why),
+        add(section, QString("%1: %2 %3").arg(heads(type.fixtures.size()), wanted, said(type.why)),
             type.fixtures);
     item->setExpanded(true);
     auto* row = new QWidget(tree_);
     auto* choice = new QComboBox(row);
-    choice->setAccessibleName("Stands in for " + wanted);
+    choice->setAccessibleName(translated("Plot", "Stands in for %1").arg(wanted));
     choice->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     choice->setMinimumContentsLength(6);
     for (const scene::StandIn& one : type.stand_ins) {
@@ -103,22 +109,23 @@ void PlotPanel::add_lightless(QTreeWidgetItem& section, const scene::LightlessTy
         choice->addItem(
             label, QStringList{QString::fromStdString(one.file.string()), QString::fromStdString(one.mode)});
         choice->setItemData(choice->count() - 1,
-                            label + ", mode '" + QString::fromStdString(one.mode) + "'\n" +
-                                QString::fromStdString(one.file.string()),
+                            translated("Plot", "%1, mode '%2'").arg(label, QString::fromStdString(one.mode)) +
+                                "\n" + QString::fromStdString(one.file.string()),
                             Qt::ToolTipRole);
     }
-    choice->addItem("Choose a file...");
+    choice->addItem(translated("Plot", "Choose a file..."));
     auto* take = new QToolButton(row);
-    take->setText("Take");
-    take->setAccessibleName("Take it for " + wanted);
+    take->setText(translated("Plot", "Take"));
+    take->setAccessibleName(translated("Plot", "Take it for %1").arg(wanted));
     const auto say = [choice] { choice->setToolTip(choice->currentData(Qt::ToolTipRole).toString()); };
     connect(choice, &QComboBox::currentIndexChanged, choice, say);
     say();
     connect(take, &QToolButton::clicked, this, [this, choice, wanted] {
         QStringList file = choice->currentData().toStringList();
         if (file.isEmpty())
-            file << QFileDialog::getOpenFileName(this, "A fixture that stands in", {},
-                                                 "Fixtures (*.gdtf *.qxf *.json);;All files (*)");
+            file << QFileDialog::getOpenFileName(
+                this, translated("Plot", "A fixture that stands in"), {},
+                translated("Files", "Fixtures (*.gdtf *.qxf *.json);;All files (*)"));
         if (file.first().isEmpty()) return;
         QString line = "substitute " + quoted(wanted);
         for (const QString& word : file) line += " " + quoted(word);
@@ -144,11 +151,10 @@ void PlotPanel::add_groups(const QString& title, Severity severity, const QColor
     for (const scene::PageGroup& group : page.groups) {
         if (group.severity != severity) continue;
         QTreeWidgetItem* const kind =
-            add(*section, QString("%1: %2").arg(QString::fromStdString(group.title)).arg(group.times),
-                group.fixtures);
+            add(*section, QString("%1: %2").arg(said(group.title)).arg(group.times), group.fixtures);
         for (const scene::PageLine& line : group.lines) {
-            QString words = QString::fromStdString(line.words);
-            if (!line.advice.empty()) words += "\nTo do: " + QString::fromStdString(line.advice);
+            QString words = said(line.words);
+            if (!line.advice.empty()) words += "\n" + translated("Plot", "To do: %1").arg(said(line.advice));
             add(*kind, words, line.fixtures);
         }
     }
@@ -161,9 +167,9 @@ void PlotPanel::fill() {
     const scene::PlotPage* const page = report_.page();
     setEnabled(page != nullptr);
     same_->hide();
-    title_->setText("What a plot has is listed here.");
+    title_->setText(translated("Plot", "What a plot has is listed here."));
     if (!page) return;
-    title_->setText(QString("%1: %2 missing, %3 guessed")
+    title_->setText(translated("Plot", "%1: %2 missing, %3 guessed")
                         .arg(QString::fromStdString(page->name))
                         .arg(page->count(Severity::error))
                         .arg(page->count(Severity::warning)));
@@ -171,11 +177,13 @@ void PlotPanel::fill() {
     for (const scene::LightlessType& type : page->lightless)
         (type.is_dark ? dark : assumed) += type.fixtures.size();
     if (dark + assumed > 0) {
-        QTreeWidgetItem* const section = add_section(
-            dark == 0 ? heads(assumed) + " with a light that is assumed"
-                      : heads(dark) + " without light" +
-                            (assumed > 0 ? QString(", %1 with one that is assumed").arg(assumed) : QString()),
-            dark > 0 ? bad() : accent());
+        QTreeWidgetItem* const section =
+            add_section(dark == 0 ? translated("Plot", "%1 with a light that is assumed").arg(heads(assumed))
+                        : assumed == 0 ? translated("Plot", "%1 without light").arg(heads(dark))
+                                       : translated("Plot", "%1 without light, %2 with one that is assumed")
+                                             .arg(heads(dark))
+                                             .arg(assumed),
+                        dark > 0 ? bad() : accent());
         const std::size_t shown = std::min(page->lightless.size(), kMostRows);
         for (std::size_t k = 0; k < shown; ++k) add_lightless(*section, page->lightless[k]);
         std::vector<std::size_t> others;
@@ -183,18 +191,17 @@ void PlotPanel::fill() {
             others.insert(others.end(), page->lightless[k].fixtures.begin(),
                           page->lightless[k].fixtures.end());
         if (const std::size_t more = page->lightless.size() - shown; more > 0)
-            add(*section, QString(more == 1 ? "and %1 file more" : "and %1 files more").arg(more), others);
+            add(*section, translated("Plot", "and %n file(s) more", nullptr, more), others);
     }
-    add_groups("Missing", Severity::error, bad());
-    add_groups("Guessed or repaired", Severity::warning, accent());
-    QTreeWidgetItem* const found = add_section("Found", good());
-    for (const scene::PageLine& line : page->found)
-        add(*found, QString::fromStdString(line.words), line.fixtures);
-    add_groups("Odd, but nothing is lost", Severity::note, faint());
+    add_groups(translated("Plot", "Missing"), Severity::error, bad());
+    add_groups(translated("Plot", "Guessed or repaired"), Severity::warning, accent());
+    QTreeWidgetItem* const found = add_section(translated("Plot", "Found"), good());
+    for (const scene::PageLine& line : page->found) add(*found, said(line.words), line.fixtures);
+    add_groups(translated("Plot", "Odd, but nothing is lost"), Severity::note, faint());
     const auto same = std::count_if(page->lightless.begin(), page->lightless.end(), [](const auto& type) {
         return !type.stand_ins.empty() && type.stand_ins.front().seems_same;
     });
-    same_->setText(QString("Take what seems the same (%1)").arg(same));
+    same_->setText(translated("Plot", "Take what seems the same (%1)").arg(same));
     same_->setVisible(same > 0);
     tree_->verticalScrollBar()->setValue(scrolled);
     refresh();

@@ -3,6 +3,7 @@
 
 #include "show/show.h"
 #include "ui/actions/programmer_actions.h"
+#include "ui/language/language.h"
 #include "ui/model/head_values.h"
 
 #include <QAbstractItemView>
@@ -22,7 +23,7 @@ constexpr double kSame = 0.05; // numbers of a row that are as good as one
 constexpr int kParametersEvery_ms = 250;
 
 ValueRange range_of(const fixture::AxisRange& reach) {
-    return {static_cast<double>(reach.low), static_cast<double>(reach.high), 1, " deg"};
+    return {static_cast<double>(reach.low), static_cast<double>(reach.high), 1, translated("Value", " deg")};
 }
 
 } // namespace
@@ -34,26 +35,28 @@ ProgrammerPanel::ProgrammerPanel(AppModel& app, PaletteList& palettes, Actions& 
     auto* const inside = new QWidget(this);
     column_ = new QVBoxLayout(inside);
     column_->setContentsMargins(0, 0, 2, 0);
-    add_row("Intensity", {0, 100, 0, " %"}, static_cast<int>(ProgrammerStep::intensity),
-            fixture::Role::dimmer, &fixture::Programmer::intensity, &FixtureNow::dimmer, 0.01);
-    zoom_ = add_row("Zoom", range_of(kZoom), static_cast<int>(ProgrammerStep::zoom), fixture::Role::zoom,
-                    &fixture::Programmer::zoom_deg, &FixtureNow::zoom_deg, 1);
-    pan_ = add_row("Pan", range_of(kPan), static_cast<int>(ProgrammerStep::pan), fixture::Role::pan,
-                   &fixture::Programmer::pan_deg, &FixtureNow::pan_deg, 1);
-    tilt_ = add_row("Tilt", range_of(kTilt), static_cast<int>(ProgrammerStep::tilt), fixture::Role::tilt,
-                    &fixture::Programmer::tilt_deg, &FixtureNow::tilt_deg, 1);
-    colour_ = new ColourRow("Colour", this);
+    add_row(translated("Programmer", "Intensity"), {0, 100, 0, " %"},
+            static_cast<int>(ProgrammerStep::intensity), fixture::Role::dimmer,
+            &fixture::Programmer::intensity, &FixtureNow::dimmer, 0.01);
+    zoom_ = add_row(translated("Programmer", "Zoom"), range_of(kZoom), static_cast<int>(ProgrammerStep::zoom),
+                    fixture::Role::zoom, &fixture::Programmer::zoom_deg, &FixtureNow::zoom_deg, 1);
+    pan_ = add_row(translated("Programmer", "Pan"), range_of(kPan), static_cast<int>(ProgrammerStep::pan),
+                   fixture::Role::pan, &fixture::Programmer::pan_deg, &FixtureNow::pan_deg, 1);
+    tilt_ = add_row(translated("Programmer", "Tilt"), range_of(kTilt), static_cast<int>(ProgrammerStep::tilt),
+                    fixture::Role::tilt, &fixture::Programmer::tilt_deg, &FixtureNow::tilt_deg, 1);
+    colour_ = new ColourRow(translated("Programmer", "Colour"), this);
     column_->addWidget(colour_);
     colour_->on_change = [this](const QColor& colour) {
         change_selected(app_, "colour", ProgrammerStep::colour,
                         [&](fixture::Programmer& programmer) { programmer.colour = filter_from(colour); });
     };
     colour_->on_release = [this] {
-        change_selected(app_, "release colour", ProgrammerStep::step,
+        change_selected(app_, translated("Undo", "release %1").arg(translated("Undo", "colour")),
+                        ProgrammerStep::step,
                         [](fixture::Programmer& programmer) { programmer.colour.reset(); });
     };
     gobo_ = new QComboBox(this);
-    gobo_->setAccessibleName("Gobo");
+    gobo_->setAccessibleName(translated("Programmer", "Gobo"));
     connect(gobo_, &QComboBox::activated, this, [this](int index) {
         change_selected(app_, "gobo", ProgrammerStep::gobo, [&](fixture::Programmer& programmer) {
             if (index == 0)
@@ -62,16 +65,17 @@ ProgrammerPanel::ProgrammerPanel(AppModel& app, PaletteList& palettes, Actions& 
                 programmer.gobo = index - 1;
         });
     });
-    hold_ = new QPushButton("Hold (H)", this);
-    hold_->setToolTip("What the desk asks of the selected fixtures stays, whatever it sends then");
+    hold_ = new QPushButton(translated("Programmer", "Hold (H)"), this);
+    hold_->setToolTip(translated(
+        "Programmer", "What the desk asks of the selected fixtures stays, whatever it sends then"));
     connect(hold_, &QPushButton::clicked, this, [&actions] { actions.choose("hold"); });
-    release_ = new QPushButton("Give all back (R)", this);
+    release_ = new QPushButton(translated("Programmer", "Give all back (R)"), this);
     connect(release_, &QPushButton::clicked, this, [this] {
         change_selected(app_, "release", ProgrammerStep::step,
                         [](fixture::Programmer& programmer) { programmer = {}; });
     });
     auto* form = new QFormLayout;
-    form->addRow("Gobo", gobo_);
+    form->addRow(translated("Programmer", "Gobo"), gobo_);
     column_->addLayout(form);
     palettes_ = new PaletteBox(app_, palettes, actions, this);
     column_->addWidget(palettes_);
@@ -122,7 +126,7 @@ ValueRow* ProgrammerPanel::add_row(const QString& name, const ValueRange& range,
             (look.fixtures[index].*value).reset();
             give_back(app_.show()->fixtures[index], role, look.fixtures[index]);
         }
-        app_.set_look(std::move(look), "release " + name.toLower());
+        app_.set_look(std::move(look), translated("Undo", "release %1").arg(name.toLower()));
     };
     rows_.push_back({row, role, value, now, per_unit});
     return row;
@@ -166,7 +170,7 @@ void ProgrammerPanel::take_kinds() {
     gobo_->clear();
     const auto current = app_.current();
     if (!app_.show() || !current) return;
-    gobo_->addItem("As the desk says");
+    gobo_->addItem(translated("Programmer", "As the desk says"));
     for (const std::size_t index : app_.selection()) { // the first that has gobos
         const scene::PatchedFixture& fixture = app_.show()->fixtures[index];
         if (!fixture.type) continue;
@@ -198,7 +202,7 @@ void ProgrammerPanel::make_parameters() {
         const HeadParameter& parameter = parameters_[i];
         if (parameter.group != group) {
             group = parameter.group;
-            auto* heading = new QLabel(group, parameter_box_);
+            auto* heading = new QLabel(translated("Parameter", group.toUtf8().constData()), parameter_box_);
             QFont font = heading->font();
             font.setBold(true);
             heading->setFont(font);
@@ -220,7 +224,7 @@ void ProgrammerPanel::make_parameters() {
         row->on_release = [this, set, name = parameter.name] {
             Look look = app_.look();
             set(look, std::nullopt);
-            app_.set_look(std::move(look), "release " + name.toLower());
+            app_.set_look(std::move(look), translated("Undo", "release %1").arg(name.toLower()));
         };
     }
     column_->insertWidget(column_->count() - 1, parameter_box_);
@@ -234,14 +238,15 @@ void ProgrammerPanel::refresh() {
     for (QWidget* one : std::initializer_list<QWidget*>{colour_, gobo_, hold_, release_})
         one->setEnabled(any);
     if (!any) {
-        title_->setText("Select fixtures to light the scene by hand, with or without a desk.");
+        title_->setText(
+            translated("Programmer", "Select fixtures to light the scene by hand, with or without a desk."));
         for (const Row& row : rows_) row.row->show_value(0, false);
         colour_->show_colour(Qt::black, false);
         return;
     }
     const std::size_t count = app_.selection().size();
     title_->setText(count == 1 ? QString::fromStdString(app_.show()->fixtures[*current].name)
-                               : QString("%1 fixtures").arg(count));
+                               : translated("Fixtures", "%n fixture(s)", nullptr, count));
     const std::vector<FixtureNow>& now = app_.rig().fixtures;
     for (const Row& row : rows_) {
         const auto shown = [&](std::size_t index) {

@@ -4,6 +4,7 @@
 #include "show/show.h"
 #include "stage/overrides.h"
 #include "ui/actions/programmer_actions.h"
+#include "ui/language/language.h"
 #include "ui/panels/mover_box.h"
 
 #include <QVBoxLayout>
@@ -28,7 +29,7 @@ ValueRow* scene_row(AppModel& app, const QString& name, const ValueRange& range,
                      [&](SceneLook& scene) { scene.*value = static_cast<T>(number); });
     };
     row->on_release = [&app, name, value] {
-        change_scene(app, "release " + name.toLower(), ProgrammerStep::step,
+        change_scene(app, translated("Undo", "release %1").arg(name.toLower()), ProgrammerStep::step,
                      [&](SceneLook& scene) { (scene.*value).reset(); });
     };
     return row;
@@ -51,46 +52,49 @@ ScenePanel::ScenePanel(AppModel& app, QWidget* parent) : QWidget(parent), app_(a
 }
 
 void ScenePanel::add_air(QLayout* layout) {
-    smoke_ = scene_row(app_, "Smoke", {0, 5, 2, " x"}, this, &SceneLook::smoke);
-    ambient_ = scene_row(app_, "Even light", {0, 200, 1, " lx"}, this, &SceneLook::ambient_lux);
+    smoke_ = scene_row(app_, translated("Scene", "Smoke"), {0, 5, 2, " x"}, this, &SceneLook::smoke);
+    ambient_ =
+        scene_row(app_, translated("Scene", "Even light"), {0, 200, 1, " lx"}, this, &SceneLook::ambient_lux);
     layout->addWidget(smoke_);
     layout->addWidget(ambient_);
-    colour_ = new ColourRow("Its colour", this);
-    colour_->setToolTip("Of the even light");
+    colour_ = new ColourRow(translated("Scene", "Its colour"), this);
+    colour_->setToolTip(translated("Scene", "Of the even light"));
     colour_->on_change = [this](const QColor& colour) {
-        change_scene(app_, "colour of the even light", ProgrammerStep::scene,
+        change_scene(app_, translated("Undo", "colour of the even light"), ProgrammerStep::scene,
                      [&](SceneLook& scene) { scene.ambient_colour = filter_from(colour); });
     };
     colour_->on_release = [this] {
-        change_scene(app_, "release the colour of the even light", ProgrammerStep::step,
+        change_scene(app_, translated("Undo", "release the colour of the even light"), ProgrammerStep::step,
                      [](SceneLook& scene) { scene.ambient_colour.reset(); });
     };
     layout->addWidget(colour_);
-    static const char* const kFactors[] = {"Constant", "Linear", "Quadratic"};
+    static const char* const kFactors[] = {QT_TRANSLATE_NOOP("Scene", "Constant"),
+                                           QT_TRANSLATE_NOOP("Scene", "Linear"),
+                                           QT_TRANSLATE_NOOP("Scene", "Quadratic")};
     for (int k = 0; k < 3; ++k) {
-        attenuation_[k] = new ValueRow(kFactors[k], {0, 2, 2, ""}, this);
-        attenuation_[k]->setToolTip(
-            "Light falls with 1 / (constant + linear d + quadratic d²); 0, 0, 1 is physics.");
+        attenuation_[k] = new ValueRow(translated("Scene", kFactors[k]), {0, 2, 2, ""}, this);
+        attenuation_[k]->setToolTip(translated(
+            "Scene", "Light falls with 1 / (constant + linear d + quadratic d²); 0, 0, 1 is physics."));
         attenuation_[k]->on_change = [this, k](double value) { change_attenuation(k, value); };
         attenuation_[k]->on_release = [this] {
-            change_scene(app_, "release attenuation", ProgrammerStep::step,
+            change_scene(app_, translated("Undo", "release attenuation"), ProgrammerStep::step,
                          [](SceneLook& scene) { scene.attenuation.reset(); });
         };
         layout->addWidget(attenuation_[k]);
     }
-    samples_ = new ValueRow("Samples", {1, 64, 0, ""}, this);
-    samples_->setToolTip("Of the haze, along a ray through one beam. Fewer are faster.");
+    samples_ = new ValueRow(translated("Scene", "Samples"), {1, 64, 0, ""}, this);
+    samples_->setToolTip(translated("Scene", "Of the haze, along a ray through one beam. Fewer are faster."));
     samples_->on_change = [this](double value) { change_samples(app_, static_cast<int>(value)); };
     samples_->on_release = [this] { change_samples(app_, std::nullopt); };
     layout->addWidget(samples_);
-    shadows_ = new QCheckBox("Shadows", this);
+    shadows_ = new QCheckBox(translated("Scene", "Shadows"), this);
     connect(shadows_, &QCheckBox::clicked, this, [this](bool on) {
         change_scene(app_, "shadows", ProgrammerStep::step, [&](SceneLook& scene) {
             scene.shadows = on == app_.show()->shadows ? std::nullopt : std::optional(on);
         });
     });
     layout->addWidget(shadows_);
-    auto* air = new QPushButton("Haze, wind and hazers of the show...", this);
+    auto* air = new QPushButton(translated("Scene", "Haze, wind and hazers of the show..."), this);
     connect(air, &QPushButton::clicked, this, &ScenePanel::asks_for_air);
     layout->addWidget(air);
 }
@@ -99,9 +103,10 @@ void ScenePanel::add_stage(QLayout* layout) {
     stage_ = new StageTree(app_, this);
     connect(stage_, &StageTree::chose, this, &ScenePanel::refresh);
     layout->addWidget(stage_);
-    hang_ = new QPushButton("Hang the selected fixtures under it", this);
-    hang_->setToolTip(
-        "Evenly along the truss or pipe that is chosen, with all its pieces; one alone where it is nearest");
+    hang_ = new QPushButton(translated("Scene", "Hang the selected fixtures under it"), this);
+    hang_->setToolTip(translated(
+        "Scene",
+        "Evenly along the truss or pipe that is chosen, with all its pieces; one alone where it is nearest"));
     connect(hang_, &QPushButton::clicked, this, [this] {
         if (const auto object = stage_->object()) Q_EMIT asks_to_hang(*object);
     });
@@ -125,14 +130,15 @@ void ScenePanel::add_stage(QLayout* layout) {
             if (!material()) return;
             Look look = app_.look();
             (look.surfaces[*material()].*value).reset();
-            app_.set_look(std::move(look), "release " + name.toLower());
+            app_.set_look(std::move(look), translated("Undo", "release %1").arg(name.toLower()));
         };
         layout->addWidget(row);
         return row;
     };
-    specular_ =
-        surface_row("Specular", {0, 1, 2, ""}, &SurfaceLook::specular, [](float value) { return value; });
-    shininess_ = surface_row("Shininess", {1, kMostShininess, 0, "", true}, &SurfaceLook::roughness,
+    specular_ = surface_row(translated("Scene", "Specular"), {0, 1, 2, ""}, &SurfaceLook::specular,
+                            [](float value) { return value; });
+    shininess_ = surface_row(translated("Scene", "Shininess"), {1, kMostShininess, 0, "", true},
+                             &SurfaceLook::roughness,
                              [](float value) { return scene::roughness_from_shininess(value); });
 }
 

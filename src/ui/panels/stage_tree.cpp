@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/panels/stage_tree.h"
 
+#include "ui/language/language.h"
 #include "ui/widgets/following.h"
 
 #include <QHeaderView>
@@ -36,12 +37,12 @@ std::string without_number(const std::string& name) {
 
 StageTree::StageTree(AppModel& app, QWidget* parent)
     : QWidget(parent), app_(app), search_(new QLineEdit(this)), tree_(new QTreeWidget(this)) {
-    search_->setAccessibleName("Search objects and materials");
-    search_->setPlaceholderText("Search objects and materials");
+    search_->setAccessibleName(translated("Scene", "Search objects and materials"));
+    search_->setPlaceholderText(translated("Scene", "Search objects and materials"));
     search_->setClearButtonEnabled(true);
     connect(search_, &QLineEdit::textChanged, this, &StageTree::search);
-    tree_->setAccessibleName("Objects of the stage");
-    tree_->setHeaderLabels({"Object", "Material"});
+    tree_->setAccessibleName(translated("Scene", "Objects of the stage"));
+    tree_->setHeaderLabels({translated("Scene", "Object"), translated("Scene", "Material")});
     tree_->setSelectionMode(QAbstractItemView::ExtendedSelection);
     tree_->setAlternatingRowColors(true);
     tree_->setUniformRowHeights(true);
@@ -85,8 +86,9 @@ void StageTree::take_box(QTreeWidgetItem* item) {
         look.shown.erase(object.instance);
         if (on != object.shown) look.shown[object.instance] = on;
     }
-    const QString what = objects.size() == 1 ? "object" : QString("%1 objects").arg(objects.size());
-    app_.set_look(std::move(look), (on ? "show " : "hide ") + what);
+    const std::size_t count = objects.size();
+    app_.set_look(std::move(look), on ? translated("Undo", "show %n object(s)", nullptr, count)
+                                      : translated("Undo", "hide %n object(s)", nullptr, count));
     refresh();
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/panels/transport_panel.h"
 
+#include "ui/language/language.h"
+
 #include <QHBoxLayout>
 #include <QToolButton>
 
@@ -31,14 +33,15 @@ TransportPanel::TransportPanel(AppModel& app, const Actions& actions, QWidget* p
     time_ = new QLabel(this);
     time_->setMinimumWidth(fontMetrics().averageCharWidth() * 17);
     input_ = new QComboBox(this);
-    input_->setAccessibleName("Input");
+    input_->setAccessibleName(translated("Transport", "Input"));
     input_->setFocusPolicy(Qt::NoFocus);
-    input_->addItems({"Desk, else recording", "Desk", "Recording"});
+    input_->addItems({translated("Transport", "Desk, else recording"), translated("Transport", "Desk"),
+                      translated("Transport", "Recording")});
     master_ = new QSlider(Qt::Horizontal, this);
     master_->setRange(0, 100);
     master_->setFixedWidth(fontMetrics().averageCharWidth() * 16);
-    master_->setAccessibleName("Master");
-    master_->setToolTip("Master: all light");
+    master_->setAccessibleName(translated("Transport", "Master"));
+    master_->setToolTip(translated("Transport", "Master: all light"));
     master_->setFocusPolicy(Qt::NoFocus);
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(6, 4, 6, 4);
@@ -48,9 +51,9 @@ TransportPanel::TransportPanel(AppModel& app, const Actions& actions, QWidget* p
     layout->addWidget(place_, 1);
     layout->addWidget(time_);
     layout->addWidget(input_);
-    layout->addWidget(new QLabel("Master", this));
+    layout->addWidget(new QLabel(translated("Transport", "Master"), this));
     layout->addWidget(master_);
-    layout->addWidget(button_of(actions.item("black-out"), "Black-out", this));
+    layout->addWidget(button_of(actions.item("black-out"), translated("Transport", "Black-out"), this));
     connect(input_, &QComboBox::activated, this, [this](int index) {
         app_.wish([&](ViewRequest& request) { request.input = static_cast<Input>(index); });
     });
@@ -68,9 +71,9 @@ void TransportPanel::refresh() {
     play_->setIconText(app_.request().transport.playing ? "\u275A\u275A" : "\u25B6"); // what it will do
     const double length_s = app_.rig().recording_s;
     place_->setEnabled(length_s > 0 && !app_.rig().from_desk);
-    time_->setText(app_.rig().from_desk ? QString("desk")
+    time_->setText(app_.rig().from_desk ? translated("Transport", "desk")
                    : length_s > 0       ? clock_of(app_.rig().at_s) + " / " + clock_of(length_s)
-                                        : QString("no recording"));
+                                        : translated("Transport", "no recording"));
     input_->setCurrentIndex(static_cast<int>(app_.request().input));
     master_->setValue(static_cast<int>(std::lround(app_.request().master * 100)));
 }

@@ -2,6 +2,7 @@
 #include "ui/panels/value_panel.h"
 
 #include "show/show.h"
+#include "ui/language/language.h"
 #include "ui/widgets/theme.h"
 
 #include <QHeaderView>
@@ -72,7 +73,7 @@ QString words_by_hand(const scene::ChannelFacts& channel, const fixture::Program
     case Role::strobe:
     case Role::strobe_random:
     case Role::strobe_pulse:
-        return programmer.intensity ? QString("open") : QString();
+        return programmer.intensity ? translated("Values", "open") : QString();
     case Role::zoom:
         return degrees(programmer.zoom_deg);
     case Role::pan:
@@ -80,14 +81,14 @@ QString words_by_hand(const scene::ChannelFacts& channel, const fixture::Program
     case Role::tilt:
         return degrees(programmer.tilt_deg);
     case Role::gobo_wheel:
-        return programmer.gobo ? QString("slot %1").arg(*programmer.gobo) : QString();
+        return programmer.gobo ? translated("Values", "slot %1").arg(*programmer.gobo) : QString();
     case Role::color_add:
     case Role::color_sub_c:
     case Role::color_sub_m:
     case Role::color_sub_y:
     case Role::color_wheel:
     case Role::color_rgb:
-        return programmer.colour ? QString("colour") : QString();
+        return programmer.colour ? translated("Values", "colour") : QString();
     default:
         return {};
     }
@@ -131,7 +132,7 @@ QVariant ChannelModel::data(const QModelIndex& index, int role) const {
     case value:
         return QString::fromStdString(channel.value);
     case meaning:
-        return QString::fromStdString(channel.meaning);
+        return said(channel.meaning);
     case by_hand:
         return words_by_hand(channel, programmer_);
     default:
@@ -140,9 +141,11 @@ QVariant ChannelModel::data(const QModelIndex& index, int role) const {
 }
 
 QVariant ChannelModel::headerData(int section, Qt::Orientation orientation, int role) const {
-    static const char* const kTitles[kColumns] = {"Address", "Attribute", "DMX", "Means", "By hand"};
+    static const char* const kTitles[kColumns] = {
+        QT_TRANSLATE_NOOP("Values", "Address"), QT_TRANSLATE_NOOP("Values", "Attribute"), "DMX",
+        QT_TRANSLATE_NOOP("Values", "Means"), QT_TRANSLATE_NOOP("Values", "By hand")};
     if (orientation != Qt::Horizontal || role != Qt::DisplayRole) return {};
-    return kTitles[section];
+    return translated("Values", kTitles[section]);
 }
 
 ValuePanel::ValuePanel(AppModel& app, QWidget* parent) : QWidget(parent), app_(app) {
@@ -155,7 +158,7 @@ ValuePanel::ValuePanel(AppModel& app, QWidget* parent) : QWidget(parent), app_(a
     model_ = new ChannelModel(this);
     table_ = new QTableView(this);
     table_->setModel(model_);
-    table_->setAccessibleName("Channels");
+    table_->setAccessibleName(translated("Values", "Channels"));
     table_->setItemDelegateForColumn(ChannelModel::value, new BarPainter(this));
     table_->setShowGrid(false);
     table_->setAlternatingRowColors(true);
@@ -194,22 +197,23 @@ void ValuePanel::refresh() {
     const auto current = app_.current();
     if (!app_.show() || !current) {
         shown_.reset();
-        title_->setText("No fixture is selected");
-        verdict_->setText("Click a lamp in the picture or a row of the list.");
+        title_->setText(translated("Values", "No fixture is selected"));
+        verdict_->setText(translated("Values", "Click a lamp in the picture or a row of the list."));
         model_->show({}, {});
         words_->clear();
         return;
     }
     QString title = QString::fromStdString(app_.show()->fixtures[*current].name);
-    if (app_.selection().size() > 1) title += QString(" and %1 more").arg(app_.selection().size() - 1);
+    if (app_.selection().size() > 1)
+        title = translated("Values", "%1 and %2 more").arg(title).arg(app_.selection().size() - 1);
     title_->setText(title);
     const Explained& explained = app_.explained();
     if (explained.fixture != *current || explained.words.empty()) { // it comes
-        if (shown_ != current) verdict_->setText("It is being looked at ...");
+        if (shown_ != current) verdict_->setText(translated("Values", "It is being looked at ..."));
         return;
     }
     shown_ = current;
-    verdict_->setText(QString::fromStdString(explained.explanation.verdict));
+    verdict_->setText(said(explained.explanation.verdict));
     verdict_->setStyleSheet(
         QString("color: %1")
             .arg((explained.explanation.visibility == scene::Visibility::lit ? good() : bad()).name()));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/panels/waveform.h"
 
+#include "ui/language/language.h"
 #include "ui/widgets/theme.h"
 
 #include <QMouseEvent>
@@ -20,8 +21,10 @@ constexpr double kShortestLoop_s = 0.2;
 Waveform::Waveform(AppModel& app, QWidget* parent) : QWidget(parent), app_(app) {
     setMinimumSize(80, kHeight_px);
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-    setAccessibleName("The recording: how much changes when, and where it is played");
-    setToolTip("Click: go there. Shift+drag: play this part again and again, Shift+click: the whole.");
+    setAccessibleName(
+        translated("Transport", "The recording: how much changes when, and where it is played"));
+    setToolTip(translated(
+        "Transport", "Click: go there. Shift+drag: play this part again and again, Shift+click: the whole."));
     for (const auto signal : {&AppModel::rig_came, &AppModel::wishes_changed, &AppModel::waveform_came})
         connect(&app_, signal, this, qOverload<>(&QWidget::update));
 }

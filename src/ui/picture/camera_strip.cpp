@@ -2,6 +2,7 @@
 #include "ui/picture/camera_strip.h"
 
 #include "show/show.h"
+#include "ui/language/language.h"
 
 #include <QPixmap>
 
@@ -32,7 +33,7 @@ QIcon icon_of(const image::Image8& picture) {
 } // namespace
 
 CameraStrip::CameraStrip(AppModel& app, Actions& actions, QWidget* parent) : QListWidget(parent), app_(app) {
-    setAccessibleName("Cameras");
+    setAccessibleName(translated("Picture", "Cameras"));
     setViewMode(QListView::IconMode);
     setFlow(QListView::LeftToRight);
     setWrapping(false);
@@ -44,7 +45,7 @@ CameraStrip::CameraStrip(AppModel& app, Actions& actions, QWidget* parent) : QLi
     setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     setTextElideMode(Qt::ElideRight);
     setFixedHeight(kPicture_px.height() + fontMetrics().height() + 18);
-    setToolTip("A click goes there. The pictures are made while nothing moves.");
+    setToolTip(translated("Picture", "A click goes there. The pictures are made while nothing moves."));
     const auto go = [this, &actions](QListWidgetItem* item) {
         actions.choose(QString("camera %1").arg(row(item) + 1));
     };

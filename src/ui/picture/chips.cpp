@@ -3,6 +3,7 @@
 
 #include "ui/actions/bounce_edit.h"
 #include "ui/actions/programmer_actions.h"
+#include "ui/language/language.h"
 #include "ui/widgets/theme.h"
 
 #include <QFontMetricsF>
@@ -23,9 +24,9 @@ QString clock_of(double seconds) {
 
 Chip of_input(const AppModel& app) {
     const RigNow& rig = app.rig();
-    if (rig.from_desk && !rig.universes.list.empty()) return {"LIVE DESK", good()};
-    if (rig.recording_s > 0) return {"REC " + clock_of(rig.at_s), {}};
-    return {"NO DESK YET", {}};
+    if (rig.from_desk && !rig.universes.list.empty()) return {translated("Chips", "LIVE DESK"), good()};
+    if (rig.recording_s > 0) return {translated("Chips", "REC %1").arg(clock_of(rig.at_s)), {}};
+    return {translated("Chips", "NO DESK YET"), {}};
 }
 
 } // namespace
@@ -34,19 +35,23 @@ std::vector<Chip> chips_of(const AppModel& app) {
     const Picture& picture = app.picture();
     const ViewRequest& request = app.request();
     std::vector<Chip> chips;
-    if (request.black_out) chips.push_back({"BLACK-OUT", bad(), true});
-    if (request.frozen) chips.push_back({"FROZEN", QColor(110, 190, 255), true});
+    if (request.black_out) chips.push_back({translated("Chips", "BLACK-OUT"), bad(), true});
+    if (request.frozen) chips.push_back({translated("Chips", "FROZEN"), QColor(110, 190, 255), true});
     chips.push_back(of_input(app));
-    if (app.rig().recorded_s >= 0) chips.push_back({"RECORDING " + clock_of(app.rig().recorded_s), bad()});
-    if (picture.has_work_light) chips.push_back({"WORK LIGHT", QColor(255, 236, 190)});
+    if (app.rig().recorded_s >= 0)
+        chips.push_back({translated("Chips", "RECORDING %1").arg(clock_of(app.rig().recorded_s)), bad()});
+    if (picture.has_work_light) chips.push_back({translated("Chips", "WORK LIGHT"), QColor(255, 236, 190)});
     chips.push_back({QString("EV %1").arg(static_cast<double>(picture.ev100), 0, 'f', 1), {}});
     if (request.master < 1)
-        chips.push_back({QString("MASTER %1 %").arg(std::lround(100 * request.master)), accent()});
-    if (!app.look().is_empty()) chips.push_back({"by hand: " + words_of(app.look()), accent()});
+        chips.push_back(
+            {translated("Chips", "MASTER %1 %").arg(std::lround(100 * request.master)), accent()});
+    if (!app.look().is_empty())
+        chips.push_back({translated("Chips", "by hand: %1").arg(words_of(app.look())), accent()});
     if (picture.missing_maps > 0)
-        chips.push_back({QString("%1 lights throw no shadows yet").arg(picture.missing_maps), {}});
+        chips.push_back(
+            {translated("Chips", "%n light(s) throw no shadows yet", nullptr, picture.missing_maps), {}});
     if (app.bounce().state == BounceNow::State::makes_links)
-        chips.push_back({"bounced light: " + words_of(app.bounce()), {}});
+        chips.push_back({translated("Chips", "bounced light: %1").arg(words_of(app.bounce())), {}});
     return chips;
 }
 

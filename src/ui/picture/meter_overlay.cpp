@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The overlays that show figures of light: the legend of false colours, and the probe.
+#include "ui/language/language.h"
 #include "ui/picture/overlays.h"
 
 #include "ui/widgets/theme.h"
@@ -81,13 +82,14 @@ void paint_probe(QPainter& painter, const QRectF& picture, const QSizeF& widget,
     }
     QStringList lines{meter_text(probed.cd_m2) + " cd/m²"};
     if (probed.hit)
-        lines << meter_text(probed.lux) + " lx" +
-                     (probed.bounced_lux ? ", of which " + meter_text(*probed.bounced_lux) + " bounced" : "")
-              << QString("%1, %2 m away")
+        lines << (probed.bounced_lux ? translated("Picture", "%1 lx, of which %2 bounced")
+                                           .arg(meter_text(probed.lux), meter_text(*probed.bounced_lux))
+                                     : meter_text(probed.lux) + " lx")
+              << translated("Picture", "%1, %2 m away")
                      .arg(QString::fromStdString(probed.object))
                      .arg(static_cast<double>(probed.distance_m), 0, 'f', 1);
     else
-        lines << "no surface";
+        lines << translated("Picture", "no surface");
     const QFontMetricsF metrics(painter.font());
     double width = 0;
     for (const QString& line : lines) width = std::max(width, metrics.horizontalAdvance(line));

@@ -3,6 +3,7 @@
 
 #include "show/camera_moves.h"
 #include "show/show.h"
+#include "ui/language/language.h"
 #include "ui/picture/fixture_labels.h"
 #include "ui/widgets/theme.h"
 
@@ -29,7 +30,7 @@ QFont small_font(const QPainter& painter) {
 QString address_of(const scene::PatchedFixture& fixture) {
     return fixture.address > 0
                ? QString("%1.%2").arg(fixture.universe).arg(fixture.address, 3, 10, QChar('0'))
-               : QString("no address");
+               : translated("Picture", "no address");
 }
 
 // Lines that are no longer than a person reads at a glance, but for single long words.
@@ -49,11 +50,12 @@ QStringList wrapped(const QString& words) {
 // What there is to be known of a fixture at a glance.
 QStringList words_about(const scene::PatchedFixture& fixture, const FixtureNow& now, const QString& why) {
     QStringList lines{QString::fromStdString(fixture.name)};
-    const QString type = fixture.type ? QString::fromStdString(fixture.type->name) : QString("no type");
+    const QString type =
+        fixture.type ? QString::fromStdString(fixture.type->name) : translated("Picture", "no type");
     lines << type + ", " + address_of(fixture);
     if (!why.isEmpty()) return lines + wrapped(why);
     lines << (now.candela > 0 ? QString("%1 cd").arg(static_cast<double>(now.candela), 0, 'f', 0)
-                              : QString("dark"));
+                              : translated("Picture", "dark"));
     return lines;
 }
 

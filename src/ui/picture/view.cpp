@@ -3,6 +3,7 @@
 
 #include "show/camera_moves.h"
 #include "show/show.h"
+#include "ui/language/language.h"
 #include "ui/picture/private/chips.h"
 #include "ui/widgets/theme.h"
 
@@ -56,7 +57,7 @@ View::View(AppModel& app, QWidget* parent) : QWidget(parent), app_(app), figures
     setFocusPolicy(Qt::StrongFocus);
     setMinimumSize(160, 90);
     setMouseTracking(true); // for the probe
-    setAccessibleName("Picture of the stage");
+    setAccessibleName(translated("Picture", "Picture of the stage"));
     resize_timer_.setSingleShot(true);
     resize_timer_.setInterval(kRest_ms);
     connect(&resize_timer_, &QTimer::timeout, this, &View::ask_for_size);
@@ -124,7 +125,7 @@ void View::paintEvent(QPaintEvent*) {
         painter.fillRect(rect(), QColor(12, 12, 13));
         const bool waits = !app_.activity().empty() || app_.show();
         paint_notice(painter, size(),
-                     waits ? QString::fromStdString(app_.activity()) : QString("No show is open"), QString());
+                     waits ? said(app_.activity()) : translated("Picture", "No show is open"), QString());
         paint_box(painter);
         return;
     }

@@ -2,6 +2,7 @@
 #include "ui/picture/view_bar.h"
 
 #include "show/show.h"
+#include "ui/language/language.h"
 #include "ui/widgets/following.h"
 
 #include <QHBoxLayout>
@@ -18,9 +19,9 @@ ViewBar::ViewBar(AppModel& app, Actions& actions, QWidget* parent)
     : QWidget(parent), app_(app), camera_(new QComboBox(this)), exposure_(new QDoubleSpinBox(this)),
       automatic_(new QToolButton(this)), tone_(new QComboBox(this)) {
     setObjectName("view-bar");
-    camera_->setAccessibleName("Camera");
-    camera_->setToolTip("The cameras of the show: 1 to 9; Ctrl+K keeps this one");
-    camera_->setPlaceholderText("free camera");
+    camera_->setAccessibleName(translated("View bar", "Camera"));
+    camera_->setToolTip(translated("View bar", "The cameras of the show: 1 to 9; Ctrl+K keeps this one"));
+    camera_->setPlaceholderText(translated("View bar", "free camera"));
     camera_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     camera_->setMinimumContentsLength(11); // a line of menus does not learn of another width
     exposure_->setRange(kLeastEv, kMostEv);
@@ -28,19 +29,20 @@ ViewBar::ViewBar(AppModel& app, Actions& actions, QWidget* parent)
     exposure_->setDecimals(1);
     exposure_->setPrefix("EV ");
     exposure_->setKeyboardTracking(false);
-    exposure_->setAccessibleName("Exposure");
-    exposure_->setToolTip("Exposure: + and - by half a stop; a smaller number is brighter");
+    exposure_->setAccessibleName(translated("View bar", "Exposure"));
+    exposure_->setToolTip(
+        translated("View bar", "Exposure: + and - by half a stop; a smaller number is brighter"));
     automatic_->setDefaultAction(actions.item("auto-exposure"));
-    automatic_->setText("Auto");
-    tone_->setAccessibleName("Tone curve");
-    tone_->setToolTip("Tone curve (T)");
-    tone_->addItems({"AgX", "ACES", "no curve"});
+    automatic_->setText(translated("View bar", "Auto"));
+    tone_->setAccessibleName(translated("View bar", "Tone curve"));
+    tone_->setToolTip(translated("View bar", "Tone curve (T)"));
+    tone_->addItems({"AgX", "ACES", translated("View bar", "no curve")});
     auto* strip = new QToolButton(this);
     strip->setDefaultAction(actions.item("camera-strip"));
-    strip->setText("Strip");
+    strip->setText(translated("View bar", "Strip"));
     auto* work_light = new QToolButton(this);
     work_light->setDefaultAction(actions.item("work-light"));
-    work_light->setText("Work light");
+    work_light->setText(translated("View bar", "Work light"));
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(0, 0, 4, 0);
     layout->setSpacing(4);
@@ -51,9 +53,9 @@ ViewBar::ViewBar(AppModel& app, Actions& actions, QWidget* parent)
     }
     // The words of the menu are longer.
     const auto keep_words = [this, strip, work_light] {
-        strip->setText("Strip");
-        automatic_->setText("Auto");
-        work_light->setText("Work light");
+        strip->setText(translated("View bar", "Strip"));
+        automatic_->setText(translated("View bar", "Auto"));
+        work_light->setText(translated("View bar", "Work light"));
     };
     for (QToolButton* const button : {strip, automatic_, work_light})
         connect(button->defaultAction(), &QAction::changed, this, keep_words);

@@ -3,6 +3,7 @@
 #include "show/camera_moves.h"
 #include "show/show.h"
 #include "ui/actions/programmer_actions.h"
+#include "ui/language/language.h"
 #include "ui/picture/view.h"
 
 #include <QMouseEvent>
@@ -174,7 +175,7 @@ void View::set_hovered(std::optional<std::size_t> fixture) {
 QString View::why_hovered() const {
     const std::optional<Explained>& explained = app_.hovered();
     if (!explained || explained->fixture != hovered_) return QString();
-    return QString::fromStdString(explained->explanation.verdict);
+    return said(explained->explanation.verdict);
 }
 
 void View::leaveEvent(QEvent*) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/picture/wipe.h"
 
+#include "ui/language/language.h"
 #include "ui/picture/overlays.h"
 #include "ui/widgets/theme.h"
 
@@ -49,8 +50,8 @@ void Wipe::paint(QPainter& painter, const QSizeF& widget) const {
     painter.drawLine(QPointF(x, 0), QPointF(x, widget.height()));
     painter.setPen(QPen(accent(), 2));
     painter.drawLine(QPointF(x, 0), QPointF(x, widget.height()));
-    paint_side(painter, "before", 8, x);
-    paint_side(painter, "now", x + 8, widget.width() - x);
+    paint_side(painter, translated("Picture", "before"), 8, x);
+    paint_side(painter, translated("Picture", "now"), x + 8, widget.width() - x);
     painter.restore();
 }
 

@@ -3,6 +3,7 @@
 
 #include "image/colour.h"
 #include "ui/actions/programmer_actions.h"
+#include "ui/language/language.h"
 #include "ui/model/gel_book.h"
 #include "ui/widgets/value_row.h"
 
@@ -25,11 +26,16 @@ constexpr float kLamp_k = 3200; // that a conversion filter is put before
 constexpr float kUsual_k = 5600;
 
 const std::pair<const char*, QColor> kSwatches[] = {
-    {"White", QColor(255, 255, 255)},    {"Warm white", QColor(255, 180, 107)},
-    {"Red", QColor(255, 0, 0)},          {"Amber", QColor(255, 126, 0)},
-    {"Yellow", QColor(255, 230, 0)},     {"Green", QColor(0, 255, 60)},
-    {"Cyan", QColor(0, 220, 255)},       {"Blue", QColor(0, 40, 255)},
-    {"Lavender", QColor(160, 120, 255)}, {"Magenta", QColor(255, 0, 180)},
+    {QT_TRANSLATE_NOOP("Colour", "White"), QColor(255, 255, 255)},
+    {QT_TRANSLATE_NOOP("Colour", "Warm white"), QColor(255, 180, 107)},
+    {QT_TRANSLATE_NOOP("Colour", "Red"), QColor(255, 0, 0)},
+    {QT_TRANSLATE_NOOP("Colour", "Amber"), QColor(255, 126, 0)},
+    {QT_TRANSLATE_NOOP("Colour", "Yellow"), QColor(255, 230, 0)},
+    {QT_TRANSLATE_NOOP("Colour", "Green"), QColor(0, 255, 60)},
+    {QT_TRANSLATE_NOOP("Colour", "Cyan"), QColor(0, 220, 255)},
+    {QT_TRANSLATE_NOOP("Colour", "Blue"), QColor(0, 40, 255)},
+    {QT_TRANSLATE_NOOP("Colour", "Lavender"), QColor(160, 120, 255)},
+    {QT_TRANSLATE_NOOP("Colour", "Magenta"), QColor(255, 0, 180)},
 };
 
 QIcon icon_of(const QColor& colour, int size) {
@@ -44,8 +50,8 @@ HueField::HueField(QWidget* parent) : QWidget(parent) {
     setFixedHeight(kFieldHeight_px);
     setFocusPolicy(Qt::StrongFocus);
     setCursor(Qt::CrossCursor);
-    setAccessibleName("Hue and saturation");
-    setToolTip("Hue across, saturation down; arrow keys move it");
+    setAccessibleName(translated("Colour", "Hue and saturation"));
+    setToolTip(translated("Colour", "Hue across, saturation down; arrow keys move it"));
 }
 
 void HueField::show_colour(const QColor& colour) {
@@ -112,7 +118,8 @@ void HueField::keyPressEvent(QKeyEvent* event) {
 
 ColourField::ColourField(QWidget* parent)
     : QWidget(parent), hues_(new HueField(this)),
-      kelvin_(new ValueRow("White", {2000, 10000, 0, " K"}, this)), gels_(new QComboBox(this)) {
+      kelvin_(new ValueRow(translated("Colour", "White"), {2000, 10000, 0, " K"}, this)),
+      gels_(new QComboBox(this)) {
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 4);
     layout->setSpacing(4);
@@ -121,16 +128,17 @@ ColourField::ColourField(QWidget* parent)
     for (const auto& [name, colour] : kSwatches) {
         auto* button = new QToolButton(this);
         button->setIcon(icon_of(colour, 16));
-        button->setToolTip(name);
-        button->setAccessibleName(name);
+        button->setToolTip(translated("Colour", name));
+        button->setAccessibleName(translated("Colour", name));
         button->setAutoRaise(true);
         button->setMinimumWidth(16);
         connect(button, &QToolButton::clicked, this, [this, colour = colour] { choose(colour); });
         swatches->addWidget(button);
     }
-    gels_->setAccessibleName("Gel");
-    gels_->setToolTip("Lee's conversions before a lamp of 3200 K; its colours as they look on a screen");
-    gels_->addItem("Gel ...");
+    gels_->setAccessibleName(translated("Colour", "Gel"));
+    gels_->setToolTip(translated(
+        "Colour", "Lee's conversions before a lamp of 3200 K; its colours as they look on a screen"));
+    gels_->addItem(translated("Colour", "Gel ..."));
     for (const Gel& gel : gel_book())
         gels_->addItem(icon_of(screen_colour(colour_of(gel, kLamp_k)), 14),
                        QString::fromUtf8(gel.number.data(), static_cast<qsizetype>(gel.number.size())) +

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/widgets/colour_row.h"
 
+#include "ui/language/language.h"
 #include "ui/widgets/colour_field.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/value_row.h"
@@ -29,10 +30,10 @@ ColourRow::ColourRow(const QString& name, QWidget* parent)
     label_->setFixedWidth(ValueRow::label_width(*this));
     button_->setAccessibleName(name);
     button_->setCheckable(true);
-    button_->setToolTip("Unfolds the colours");
+    button_->setToolTip(translated("Value", "Unfolds the colours"));
     release_->setText("\u21BA"); // back
-    release_->setToolTip("Give it back to the show and the desk");
-    release_->setAccessibleName("Give back " + name);
+    release_->setToolTip(translated("Value", "Give it back to the show and the desk"));
+    release_->setAccessibleName(translated("Value", "Give back %1").arg(name));
     column_->setContentsMargins(0, 0, 0, 0);
     auto* row = new QHBoxLayout;
     row->addWidget(label_);
@@ -61,7 +62,9 @@ void ColourRow::unfold(bool on) {
 void ColourRow::show_colour(const QColor& colour, bool by_hand, bool mixed) {
     colour_ = colour;
     if (field_) field_->show_colour(colour);
-    button_->setText(mixed ? "mixed" : by_hand ? "By hand" : "");
+    button_->setText(mixed     ? translated("Value", "mixed")
+                     : by_hand ? translated("Value", "By hand")
+                               : QString());
     const QString style =
         QString("QPushButton { background: %1; color: %2; border: 1px solid #55555a; padding: 4px; } "
                 "QPushButton:focus { border: 2px solid %3; }")

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/widgets/on_screen.h"
 
+#include "ui/language/language.h"
+
 #include <QApplication>
 #include <QScreen>
 #include <QWidget>
@@ -74,7 +76,7 @@ OnScreen::OnScreen() {
         QList<QRect> displays;
         for (const QScreen* screen : QGuiApplication::screens()) displays << screen->availableGeometry();
         if (bring_into_reach(displays) > 0)
-            Q_EMIT moved("The displays changed: what was out of sight is here now");
+            Q_EMIT moved(translated("Notice", "The displays changed: what was out of sight is here now"));
     });
     connect(qGuiApp, &QGuiApplication::screenRemoved, this, &OnScreen::look);
     connect(qGuiApp, &QGuiApplication::screenAdded, this, &OnScreen::watch);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/widgets/parameter_row.h"
 
+#include "ui/language/language.h"
 #include "ui/widgets/following.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/value_row.h"
@@ -25,7 +26,7 @@ ParameterRow::ParameterRow(const HeadParameter& parameter, QWidget* parent)
     slider_->setRange(0, kParameterSteps);
     slider_->setMinimumWidth(40);
     slider_->setAccessibleName(parameter.name);
-    meaning_->setAccessibleName(parameter.name + ": what it can be");
+    meaning_->setAccessibleName(translated("Value", "%1: what it can be").arg(parameter.name));
     meaning_->setFixedWidth(fontMetrics().averageCharWidth() * 14);
     meaning_->setToolButtonStyle(Qt::ToolButtonTextOnly);
     meaning_->setPopupMode(QToolButton::InstantPopup);
@@ -36,8 +37,8 @@ ParameterRow::ParameterRow(const HeadParameter& parameter, QWidget* parent)
         });
     meaning_->setMenu(menu);
     release_->setText("\u21BA"); // back
-    release_->setToolTip("Give it back to the show and the desk");
-    release_->setAccessibleName("Give back " + parameter.name);
+    release_->setToolTip(translated("Value", "Give it back to the show and the desk"));
+    release_->setAccessibleName(translated("Value", "Give back %1").arg(parameter.name));
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addWidget(label_);
@@ -59,7 +60,7 @@ void ParameterRow::show_value(const ParameterValue& value, bool mixed) {
             slider_->setValue(
                 static_cast<int>(std::lround(kParameterSteps * static_cast<double>(value.share))));
     }
-    const QString words = mixed ? QString("mixed") : value.words;
+    const QString words = mixed ? translated("Value", "mixed") : value.words;
     meaning_->setText(meaning_->fontMetrics().elidedText(words, Qt::ElideRight, meaning_->width() - 22));
     meaning_->setToolTip(words);
     release_->setEnabled(value.by_hand);

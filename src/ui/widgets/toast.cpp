@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/widgets/toast.h"
 
+#include "ui/language/language.h"
+
 #include <QEvent>
 #include <QHBoxLayout>
 
@@ -17,7 +19,7 @@ Toast::Toast(QWidget* over) : QWidget(over), words_(new QLabel(this)), undo_(new
     setAttribute(Qt::WA_StyledBackground);
     setStyleSheet("#toast { background: rgba(20, 20, 22, 225); border: 1px solid #55555a; border-radius: "
                   "5px; } #toast QLabel { color: #dedede; }");
-    undo_->setText("Undo");
+    undo_->setText(translated("Notice", "Undo"));
     undo_->setFocusPolicy(Qt::NoFocus);
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(12, 6, 8, 6);

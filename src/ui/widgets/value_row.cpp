@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/widgets/value_row.h"
 
+#include "ui/language/language.h"
 #include "ui/widgets/following.h"
 #include "ui/widgets/theme.h"
 
@@ -37,15 +38,16 @@ void MixedSpinBox::set_mixed(bool mixed) {
 }
 
 QString MixedSpinBox::textFromValue(double value) const {
-    return is_mixed_ ? QString("mixed") : QDoubleSpinBox::textFromValue(value);
+    return is_mixed_ ? translated("Value", "mixed") : QDoubleSpinBox::textFromValue(value);
 }
 
 double MixedSpinBox::valueFromText(const QString& text) const {
-    return text.contains("mixed") ? value() : QDoubleSpinBox::valueFromText(text);
+    return text.contains(translated("Value", "mixed")) ? value() : QDoubleSpinBox::valueFromText(text);
 }
 
 QValidator::State MixedSpinBox::validate(QString& text, int& place) const {
-    return text.contains("mixed") ? QValidator::Acceptable : QDoubleSpinBox::validate(text, place);
+    return text.contains(translated("Value", "mixed")) ? QValidator::Acceptable
+                                                       : QDoubleSpinBox::validate(text, place);
 }
 
 ValueRow::ValueRow(const QString& name, const ValueRange& range, QWidget* parent)
@@ -63,7 +65,7 @@ ValueRow::ValueRow(const QString& name, const ValueRange& range, QWidget* parent
     field_->setAccessibleName(name);
     field_->setFixedWidth(fontMetrics().averageCharWidth() * 13);
     release_->setText("\u21BA"); // back
-    release_->setToolTip("Give it back to the show and the desk");
+    release_->setToolTip(translated("Value", "Give it back to the show and the desk"));
     release_->setEnabled(false);
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);

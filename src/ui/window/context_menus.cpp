@@ -2,6 +2,7 @@
 #include "ui/window/context_menus.h"
 
 #include "show/show.h"
+#include "ui/language/language.h"
 #include "ui/picture/overlays.h"
 
 #include <QApplication>
@@ -76,7 +77,7 @@ void add_selection_actions(Actions& actions, AppModel& app) {
     actions.add(
         {"select-similar",
          "Edit",
-         "Select all of this type",
+         translated("Action", "Select all of this type"),
          "Ctrl+Shift+A",
          "",
          [&app](const QStringList&) -> Result<void> {

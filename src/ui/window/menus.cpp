@@ -2,6 +2,7 @@
 #include "ui/window/menus.h"
 
 #include "ui/actions/can_do.h"
+#include "ui/language/language.h"
 
 #include <QFileInfo>
 
@@ -11,30 +12,34 @@ namespace ghost::ui {
 namespace {
 
 // Order and groups; an action that is not named here stands at the end of its menu.
+// The first is the name by which actions ask for a menu, translated where it is shown.
 constexpr std::pair<const char*, const char*> kMenus[] = {
-    {"Show", "new open @recent import-plot open-demo - save save-as save-copy reload - panel-plot plot-text "
-             "save-picture screenshot "
-             "panel-export paperwork cue-book cancel-jobs - take-plot - quit"},
-    {"Edit",
+    {QT_TRANSLATE_NOOP("Menu", "Show"),
+     "new open @recent import-plot open-demo - save save-as save-copy reload - panel-plot plot-text "
+     "save-picture screenshot "
+     "panel-export paperwork cue-book cancel-jobs - take-plot - quit"},
+    {QT_TRANSLATE_NOOP("Menu", "Edit"),
      "undo redo - select-all select-none select-similar find - hold release release-all - add-fixture "
      "duplicate remove unpatch hang fly-on-hoists aim-through - distribute align-x align-y align-z "
      "nudge-left nudge-right "
      "nudge-up-stage nudge-down-stage mover-on mover-back - set-stage add-model "
      "add-hazer substitute - take-changes drop-changes take-over"},
-    {"View",
+    {QT_TRANSLATE_NOOP("Menu", "View"),
      "work-light black-out - false-lux false-luminance probe wipe - chips figures frame names addresses aims "
-     "marks movers - full-screen second-display second-window"},
-    {"Camera", "camera-1 camera-2 camera-3 camera-4 camera-5 camera-6 camera-7 camera-8 camera-9 - "
-               "camera-strip keep-camera "
-               "focus see-all - brighter darker auto-exposure tone tone-agx tone-aces tone-linear - baked"},
-    {"Play", "play to-start freeze motion - cue-go cue-back cue-follow - look-next look-before solo - "
-             "input-automatic input-desk "
-             "input-recording - record play-recorded play-file play-own"},
-    {"Quality",
+     "marks movers - full-screen second-display second-window - @language"},
+    {QT_TRANSLATE_NOOP("Menu", "Camera"),
+     "camera-1 camera-2 camera-3 camera-4 camera-5 camera-6 camera-7 camera-8 camera-9 - "
+     "camera-strip keep-camera "
+     "focus see-all - brighter darker auto-exposure tone tone-agx tone-aces tone-linear - baked"},
+    {QT_TRANSLATE_NOOP("Menu", "Play"),
+     "play to-start freeze motion - cue-go cue-back cue-follow - look-next look-before solo - "
+     "input-automatic input-desk "
+     "input-recording - record play-recorded play-file play-own"},
+    {QT_TRANSLATE_NOOP("Menu", "Quality"),
      "fps-15 fps-25 fps-30 fps-44 fps-60 - resolution-0 resolution-100 resolution-50 resolution-25 "
      "resolution-10"},
-    {"Panels", ""},
-    {"Help", "shortcuts documentation - about"},
+    {QT_TRANSLATE_NOOP("Menu", "Panels"), ""},
+    {QT_TRANSLATE_NOOP("Menu", "Help"), "shortcuts documentation - about"},
 };
 
 } // namespace
@@ -44,7 +49,7 @@ Menus::Menus(Actions& actions, AppModel& app, ShowDocument& document, RecentShow
 
 void Menus::fill(QMenuBar& bar) {
     for (const auto& [title, names] : kMenus) {
-        QMenu* menu = bar.addMenu(title);
+        QMenu* menu = bar.addMenu(translated("Menu", title));
         add(*menu, names);
         // Panels, and what nobody has put in its place; quit stays the last, as everywhere.
         const bool ends_with_quit = QString(names).endsWith("quit");
@@ -65,10 +70,17 @@ void Menus::add(QMenu& menu, const QString& names) {
         if (name == "-")
             menu.addSeparator();
         else if (name == "@recent")
-            add_recent(*menu.addMenu("Open recent"));
+            add_recent(*menu.addMenu(translated("Menu", "Open recent")));
+        else if (name == "@language")
+            add_languages(*menu.addMenu(translated("Menu", "Language")));
         else if (QAction* const item = actions_.item(name))
             menu.addAction(item);
     }
+}
+
+void Menus::add_languages(QMenu& menu) {
+    add(menu, "language-system -");
+    for (const LanguageChoice& one : kLanguages) add(menu, QString("language-") + one.code);
 }
 
 void Menus::add_recent(QMenu& menu) {

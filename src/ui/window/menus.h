@@ -24,6 +24,7 @@ private:
     // "-" is a line between groups, "@recent" the shows of the last time.
     void add(QMenu& menu, const QString& names);
     void add_recent(QMenu& menu);
+    void add_languages(QMenu& menu);
     void grey(QMenu& menu);
 
     Actions& actions_;

@@ -2,6 +2,8 @@
 // The actions that measure and compare: false colours, the probe, the wipe.
 #include "ui/window/private/meter_actions.h"
 
+#include "ui/language/language.h"
+
 #include <QCursor>
 
 namespace ghost::ui {
@@ -56,7 +58,8 @@ Result<void> set_probe(View& view, const QStringList& words) {
 } // namespace
 
 void add_meter_actions(Actions& actions, AppModel& app, View& view) {
-    actions.add({"wipe", "View", "Wipe between what is seen now and what comes", "Ctrl+B", "[on|off|SHARE]",
+    actions.add({"wipe", "View", translated("Action", "Wipe between what is seen now and what comes"),
+                 "Ctrl+B", "[on|off|SHARE]",
                  [&view](const QStringList& words) -> Result<void> {
                      const QString word = words.value(0, view.wipe().is_on() ? "off" : "on");
                      if (word == "off") {
@@ -88,10 +91,10 @@ void add_meter_actions(Actions& actions, AppModel& app, View& view) {
                      },
                      [&app, measure] { return app.request().false_colour.measure == measure; }});
     };
-    add("false-lux", "False colours: lux on surfaces", "C", Measure::lux);
-    add("false-luminance", "False colours: cd/m²", "V", Measure::luminance);
-    actions.add({"probe", "View", "Probe: cd/m² and lux under the mouse", "P", "[on|off|X Y]",
-                 [&view](const QStringList& words) { return set_probe(view, words); },
+    add("false-lux", translated("Action", "False colours: lux on surfaces"), "C", Measure::lux);
+    add("false-luminance", translated("Action", "False colours: cd/m²"), "V", Measure::luminance);
+    actions.add({"probe", "View", translated("Action", "Probe: cd/m² and lux under the mouse"), "P",
+                 "[on|off|X Y]", [&view](const QStringList& words) { return set_probe(view, words); },
                  [&view] { return view.overlays.probe; }});
 }
 

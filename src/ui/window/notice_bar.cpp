@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/window/private/notice_bar.h"
 
+#include "ui/language/language.h"
 #include "ui/model/fixture_groups.h"
 #include "ui/model/shortened.h"
 
@@ -13,29 +14,34 @@
 namespace ghost::ui {
 
 NoticeBar::NoticeBar(Actions& actions, ShowDocument& document, AppModel& app, QWidget* parent)
-    : QToolBar("Notice", parent), actions_(actions), document_(document), app_(app) {
+    : QToolBar(translated("Notice", "Notice"), parent), actions_(actions), document_(document), app_(app) {
     connect(&app_, &AppModel::messages_came, this, &NoticeBar::look_at_messages);
     setObjectName("notice");
     setMovable(false);
     toggleViewAction()->setVisible(false);
     hide();
     connect(&document_, &ShowDocument::draft_found, this, [this](const QString& words) {
-        ask(words, {{"Take them", "take-changes"}, {"Drop them", "drop-changes"}});
+        ask(words, {{translated("Notice", "Take them"), "take-changes"},
+                    {translated("Notice", "Drop them"), "drop-changes"}});
     });
     connect(&document_, &ShowDocument::found_changed_outside, this, [this](const QString& words) {
-        ask(words, {{"Take what the file says", "reload"}, {"Save mine over it", "save over"}});
+        ask(words, {{translated("Notice", "Take what the file says"), "reload"},
+                    {translated("Notice", "Save mine over it"), "save over"}});
     });
     connect(&document_, &ShowDocument::found_gone, this, [this](const QString& words) {
-        ask(words, {{"Save it there again", "save"}, {"Save a copy elsewhere...", "save-copy"}});
+        ask(words, {{translated("Notice", "Save it there again"), "save"},
+                    {translated("Notice", "Save a copy elsewhere..."), "save-copy"}});
     });
     connect(&document_, &ShowDocument::found_held, this, [this](const QString& words) {
-        ask(words, {{"Take it over", "take-over"}});
+        ask(words, {{translated("Notice", "Take it over"), "take-over"}});
     });
     connect(&document_, &ShowDocument::save_failed, this, [this](const QString& words) {
-        ask(words, {{"Try again", "save"}, {"Save a copy elsewhere...", "save-copy"}});
+        ask(words, {{translated("Notice", "Try again"), "save"},
+                    {translated("Notice", "Save a copy elsewhere..."), "save-copy"}});
     });
     connect(&document_, &ShowDocument::keep_failed, this, [this](const QString& words) {
-        ask(words, {{"Save a copy elsewhere...", "save-copy"}, {"Close and lose them", "quit anyway"}});
+        ask(words, {{translated("Notice", "Save a copy elsewhere..."), "save-copy"},
+                    {translated("Notice", "Close and lose them"), "quit anyway"}});
     });
     connect(&document_, &ShowDocument::changed, this, [this] {
         if (!document_.waits_for_answer() && !says_not_opened_) hide();
@@ -53,10 +59,11 @@ void NoticeBar::say_without_optics() {
     std::size_t heads = 0;
     for (const FixtureGroup& group : without_optics(*app_.show())) heads += group.fixtures.size();
     if (heads > 0)
-        ask(QString("%1 %2 no optics in %3: what is seen of their light is assumed.")
-                .arg(heads)
-                .arg(heads == 1 ? "head has" : "heads have", heads == 1 ? "its file" : "their files"),
-            {{"What this plot has", "panel-plot on"}, {"Close", ""}});
+        ask(translated("Notice",
+                       "%n head(s) have no optics in their files: what is seen of their light is assumed.",
+                       nullptr, heads),
+            {{translated("Notice", "What this plot has"), "panel-plot on"},
+             {translated("Notice", "Close"), ""}});
 }
 
 void NoticeBar::say_not_opened() {
@@ -64,10 +71,11 @@ void NoticeBar::say_not_opened() {
     static const QRegularExpression kLine("(:\\d+)+$"); // "show.toml:12"
     const QString file = QString::fromStdString(error.where).remove(kLine);
     std::vector<std::pair<QString, QString>> buttons;
-    if (QFileInfo(file).isFile()) buttons.emplace_back("Open the file", "open-outside \"" + file + "\"");
-    buttons.emplace_back("Close", "");
-    const QString stays = app_.show() ? " What was open stays open." : "";
-    ask("Not opened: " + shortened(QString::fromStdString(error.text()), 120) + "." + stays, buttons,
+    if (QFileInfo(file).isFile())
+        buttons.emplace_back(translated("Notice", "Open the file"), "open-outside \"" + file + "\"");
+    buttons.emplace_back(translated("Notice", "Close"), "");
+    const QString stays = app_.show() ? " " + translated("Notice", "What was open stays open.") : QString();
+    ask(translated("Notice", "Not opened: %1.").arg(shortened(said(error.text()), 120)) + stays, buttons,
         Kind::fault);
     says_not_opened_ = true;
 }
@@ -78,12 +86,16 @@ void NoticeBar::look_at_messages() {
     for (const Message& message : app_.messages()) {
         if (message.severity != Severity::error) continue;
         if (errors.insert(message.what).second && !errors_.contains(message.what))
-            anew << QString::fromStdString(message.where + ": " + message.what);
+            anew << said(message.where + ": " + message.what);
     }
     errors_ = std::move(errors);
     if (!app_.opened().is_edit || anew.isEmpty()) return;
-    const QString more = anew.size() == 1 ? QString() : QString(" (and %1 more)").arg(anew.size() - 1);
-    ask("Since this edit: " + anew.front() + more, {{"Undo", "undo"}, {"All messages", "panel-messages on"}});
+    const QString words = anew.size() == 1 ? translated("Notice", "Since this edit: %1").arg(anew.front())
+                                           : translated("Notice", "Since this edit: %1 (and %2 more)")
+                                                 .arg(anew.front())
+                                                 .arg(anew.size() - 1);
+    ask(words, {{translated("Notice", "Undo"), "undo"},
+                {translated("Notice", "All messages"), "panel-messages on"}});
 }
 
 void NoticeBar::ask(const QString& words, const std::vector<std::pair<QString, QString>>& buttons_and_lines,

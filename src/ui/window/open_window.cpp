@@ -6,11 +6,14 @@
 #include "disk/files.h"
 #include "show/show.h"
 #include "ui/actions/script.h"
+#include "ui/language/language.h"
 #include "ui/widgets/plain_labels.h"
 #include "ui/widgets/theme.h"
 #include "ui/window/window.h"
 
 #include <QApplication>
+#include <QLocale>
+#include <QSettings>
 #include <QTimer>
 
 #include <clocale>
@@ -34,6 +37,14 @@ void take_message(QtMsgType type, const QMessageLogContext&, const QString& text
         log_error(text.toStdString());
     else
         log_debug(text.toStdString());
+}
+
+QString language_for(const WindowOptions& options) {
+    const QString kept = options.remembers ? QSettings().value("language").toString() : QString();
+    for (const QString& code : {QString::fromStdString(options.language), kept})
+        for (const LanguageChoice& one : kLanguages)
+            if (code == one.code) return code;
+    return language_of_system();
 }
 
 // A script's lines in their order; the first that fails ends it, and the window.
@@ -79,6 +90,8 @@ Result<void> open_window(Link& link, const WindowOptions& options) {
     std::setlocale(LC_NUMERIC, "C"); // Qt has set the desktop's: files and messages would say "0,5"
     QApplication::setApplicationName("ghostlight");
     QApplication::setOrganizationName("ghostlight");
+    set_language(language_for(options));
+    QLocale::setDefault(QLocale::c()); // "0.5" in every language, as desks, scripts and files have it
     set_theme(application);
     PlainLabels plain_labels;
     application.installEventFilter(&plain_labels);

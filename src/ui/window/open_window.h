@@ -22,6 +22,7 @@ struct WindowOptions {
     std::string fixtures;  // folder of fixture files that come with the program, or empty
     std::string script;    // file with lines of actions, run when the show is open; empty: none
     std::string socket;    // name of a local socket that takes the same lines; empty: none
+    std::string language;  // one of kLanguages, like "de"; empty: as it was chosen, else the desktop's
     bool remembers = true; // layout from the last time, and for the next
     int width = 0;         // of the window; 0: as it was, or what fits the screen
     int height = 0;

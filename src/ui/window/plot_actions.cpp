@@ -6,6 +6,7 @@
 #include "show_file/substitute_edit.h"
 #include "ui/actions/patch_edit.h"
 #include "ui/actions/show_actions.h"
+#include "ui/language/language.h"
 
 #include <QClipboard>
 #include <QGuiApplication>
@@ -107,8 +108,10 @@ Result<void> substitute(AppModel& app, ShowDocument& document, const std::vector
         TRY(const std::string inside, PatchEdit(app, document).fixture_beside_show(one.file));
         TRY(text, scene::set_substitute(text, one.wanted, inside, one.mode));
     }
-    const QString what = all.size() == 1 ? "Substitute '" + QString::fromStdString(all.front().wanted) + "'"
-                                         : QString("Substitute %1 fixture files").arg(all.size());
+    const QString what =
+        all.size() == 1
+            ? translated("Undo", "Substitute '%1'").arg(QString::fromStdString(all.front().wanted))
+            : translated("Undo", "Substitute %n fixture file(s)", nullptr, all.size());
     return document.edit(what, {std::move(text), app.look(), app.selection()});
 }
 
@@ -116,7 +119,7 @@ void add_plot_actions(Actions& actions, AppModel& app, ShowDocument& document, c
     auto* const after = new AfterImport(actions, app, document);
     actions.add({"substitute",
                  "Edit",
-                 "Substitute fixture files",
+                 translated("Action", "Substitute fixture files"),
                  "",
                  "[FOR FILE [MODE]]",
                  [&actions, &app, after](const QStringList& words) -> Result<void> {
@@ -171,7 +174,7 @@ void add_plot_actions(Actions& actions, AppModel& app, ShowDocument& document, c
                  {}});
     actions.add({"plot-text",
                  "Show",
-                 "Save what the plot has as text...",
+                 translated("Action", "Save what the plot has as text..."),
                  "",
                  "FILE",
                  [&report](const QStringList& words) -> Result<void> {
@@ -179,7 +182,8 @@ void add_plot_actions(Actions& actions, AppModel& app, ShowDocument& document, c
                      return write_file_atomic(words.value(0).toStdString(), text_of(*page));
                  },
                  {},
-                 {"What the plot has, as text", "Text (*.txt)", "plot.txt"}});
+                 {translated("Files", "What the plot has, as text"), translated("Files", "Text (*.txt)"),
+                  "plot.txt"}});
 }
 
 } // namespace ghost::ui

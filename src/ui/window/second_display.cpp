@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/window/second_display.h"
 
+#include "ui/language/language.h"
 #include "ui/picture/overlays.h"
 
 #include <QCloseEvent>
@@ -31,7 +32,7 @@ QString names_of_screens() {
 
 PictureWindow::PictureWindow(AppModel& app) : app_(app) {
     setAttribute(Qt::WA_OpaquePaintEvent);
-    setWindowTitle("Ghostlight, the picture");
+    setWindowTitle(translated("Notice", "Ghostlight, the picture"));
     setMinimumSize(16, 16);
     resize_timer_.setSingleShot(true);
     resize_timer_.setInterval(kRest_ms);
@@ -127,13 +128,13 @@ void SecondDisplay::show_on(QScreen* screen) {
         window_->resize(kWindow);
         window_->show();
     }
-    Q_EMIT changed("The picture is on " + words());
+    Q_EMIT changed(translated("Notice", "The picture is on %1").arg(words()));
 }
 
 QString SecondDisplay::words() const {
     if (screen_) return screen_->name();
-    if (window_) return "a window of its own";
-    return wanted_.isEmpty() ? QString() : wanted_ + ", which is unplugged";
+    if (window_) return translated("Notice", "a window of its own");
+    return wanted_.isEmpty() ? QString() : translated("Notice", "%1, which is unplugged").arg(wanted_);
 }
 
 void SecondDisplay::look_for_screen(QScreen* screen) {
@@ -146,7 +147,8 @@ void SecondDisplay::leave_screen(QScreen* screen) {
     // A window that covers what is left would hide the desk of who works there.
     window_.reset();
     app_.set_second_size({});
-    Q_EMIT changed(QString("The display %1 is gone; the picture comes back with it").arg(wanted_));
+    Q_EMIT changed(
+        translated("Notice", "The display %1 is gone; the picture comes back with it").arg(wanted_));
 }
 
 } // namespace ghost::ui

@@ -1,31 +1,40 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/window/private/shortcut_sheet.h"
 
+#include "ui/language/language.h"
+
 #include <QTextBrowser>
 #include <QVBoxLayout>
+
+#include <utility>
 
 namespace ghost::ui {
 namespace {
 
-const char* const kMouse =
-    "<tr><td><b>drag</b></td><td>around what is looked at</td></tr>"
-    "<tr><td><b>right drag</b></td><td>look around</td></tr>"
-    "<tr><td><b>middle drag, Shift+drag</b></td><td>sideways</td></tr>"
-    "<tr><td><b>wheel</b></td><td>nearer, farther</td></tr>"
-    "<tr><td><b>W A S D, arrows</b></td><td>fly; Q, E or page keys: down, up; Shift: faster</td></tr>"
-    "<tr><td><b>click, Ctrl+click</b></td><td>select a fixture, one more</td></tr>"
-    "<tr><td><b>Ctrl+drag</b></td><td>select all in a box</td></tr>"
-    "<tr><td><b>double click</b></td><td>go to a fixture; choose a set piece, which its cross "
-    "moves</td></tr>";
+constexpr std::pair<const char*, const char*> kMouse[] = {
+    {QT_TRANSLATE_NOOP("Keys", "drag"), QT_TRANSLATE_NOOP("Keys", "around what is looked at")},
+    {QT_TRANSLATE_NOOP("Keys", "right drag"), QT_TRANSLATE_NOOP("Keys", "look around")},
+    {QT_TRANSLATE_NOOP("Keys", "middle drag, Shift+drag"), QT_TRANSLATE_NOOP("Keys", "sideways")},
+    {QT_TRANSLATE_NOOP("Keys", "wheel"), QT_TRANSLATE_NOOP("Keys", "nearer, farther")},
+    {QT_TRANSLATE_NOOP("Keys", "W A S D, arrows"),
+     QT_TRANSLATE_NOOP("Keys", "fly; Q, E or page keys: down, up; Shift: faster")},
+    {QT_TRANSLATE_NOOP("Keys", "click, Ctrl+click"), QT_TRANSLATE_NOOP("Keys", "select a fixture, one more")},
+    {QT_TRANSLATE_NOOP("Keys", "Ctrl+drag"), QT_TRANSLATE_NOOP("Keys", "select all in a box")},
+    {QT_TRANSLATE_NOOP("Keys", "double click"),
+     QT_TRANSLATE_NOOP("Keys", "go to a fixture; choose a set piece, which its cross moves")}};
+
+QString key_row(const QString& key, const QString& words) {
+    return QString("<tr><td><b>%1</b></td><td>%2</td></tr>").arg(key.toHtmlEscaped(), words.toHtmlEscaped());
+}
 
 QString rows(const Actions& actions, const QString& menu) {
     QString text;
     for (const Action& action : actions.all()) {
         const QAction* item = actions.item(action.name);
         if (action.menu != menu || action.key.isEmpty() || !item->isVisible()) continue;
-        text +=
-            QString("<tr><td><b>%1</b></td><td>%2</td></tr>")
-                .arg(QString(action.key).replace("; ", ", ").toHtmlEscaped(), item->text().toHtmlEscaped());
+        text += key_row(
+            QKeySequence::listToString(item->shortcuts(), QKeySequence::NativeText).replace("; ", ", "),
+            item->text());
     }
     return text;
 }
@@ -33,7 +42,7 @@ QString rows(const Actions& actions, const QString& menu) {
 } // namespace
 
 ShortcutSheet::ShortcutSheet(const Actions& actions, QWidget* parent) : QDialog(parent) {
-    setWindowTitle("Keys and mouse");
+    setWindowTitle(translated("Keys", "Keys and mouse"));
     auto* text = new QTextBrowser(this);
     QString html = "<table cellspacing='14'><tr>";
     int column = 0;
@@ -44,9 +53,12 @@ ShortcutSheet::ShortcutSheet(const Actions& actions, QWidget* parent) : QDialog(
         html +=
             QString("<td valign='top'><h3>%1</h3><table cellpadding='2'>%2</table></td>").arg(title, body);
     };
-    add("In the picture", kMouse);
+    QString mouse;
+    for (const auto& [what, does] : kMouse)
+        mouse += key_row(translated("Keys", what), translated("Keys", does));
+    add(translated("Keys", "In the picture"), mouse);
     for (const char* const menu : {"View", "Camera", "Edit", "Show", "Play", "Quality", "Panels", "Help"})
-        add(menu, rows(actions, menu));
+        add(translated("Menu", menu), rows(actions, menu));
     text->setHtml(html + "</tr></table>");
     auto* layout = new QVBoxLayout(this);
     layout->addWidget(text);

@@ -2,6 +2,7 @@
 #include "ui/window/private/welcome.h"
 
 #include "show/show.h"
+#include "ui/language/language.h"
 #include "ui/widgets/theme.h"
 
 #include <QEvent>
@@ -20,7 +21,7 @@ constexpr QSize kPicture{176, 99};
 
 Welcome::Welcome(Actions& actions, AppModel& app, RecentShows& recent, bool has_demo, QWidget* over)
     : QWidget(over), actions_(actions), app_(app), recent_(recent), says_(new QLabel(this)),
-      ways_(new QWidget(this)), recent_title_(new QLabel("Opened last", this)),
+      ways_(new QWidget(this)), recent_title_(new QLabel(translated("Welcome", "Opened last"), this)),
       recent_list_(new QListWidget(this)) {
     setObjectName("welcome");
     setAutoFillBackground(true);
@@ -31,13 +32,15 @@ Welcome::Welcome(Actions& actions, AppModel& app, RecentShows& recent, bool has_
     says_->setWordWrap(true);
     auto* ways = new QHBoxLayout(ways_);
     ways->setContentsMargins(0, 0, 0, 0);
-    ways->addWidget(add_button("open", "Open a show...", "A folder with show.toml"));
-    QPushButton* const demo = add_button("open-demo", "Open the demo", "Ten moving heads, with a recording");
+    ways->addWidget(add_button("open", translated("Welcome", "Open a show..."),
+                               translated("Welcome", "A folder with show.toml")));
+    QPushButton* const demo = add_button("open-demo", translated("Welcome", "Open the demo"),
+                                         translated("Welcome", "Ten moving heads, with a recording"));
     demo->setEnabled(has_demo);
     ways->addWidget(demo);
-    ways->addWidget(
-        add_button("import-plot", "Import a plot...", "MVR of Vectorworks, Capture, grandMA3 ..."));
-    recent_list_->setAccessibleName("Shows that were opened last");
+    ways->addWidget(add_button("import-plot", translated("Welcome", "Import a plot..."),
+                               translated("Welcome", "MVR of Vectorworks, Capture, grandMA3 ...")));
+    recent_list_->setAccessibleName(translated("Welcome", "Shows that were opened last"));
     recent_list_->setViewMode(QListView::IconMode);
     recent_list_->setMovement(QListView::Static);
     recent_list_->setResizeMode(QListView::Adjust);
@@ -101,11 +104,13 @@ void Welcome::refresh() {
         hide();
         return;
     }
-    const QString doing = QString::fromStdString(app_.activity());
-    says_->setText(!doing.isEmpty()
-                       ? doing + " ..."
-                       : "Drop a show, an .mvr or a model anywhere here. A desk that sends sACN or "
-                         "Art-Net is heard as soon as a show is open.");
+    const QString doing = said(app_.activity());
+    says_->setText(
+        !doing.isEmpty()
+            ? doing + " ..."
+            : translated("Welcome",
+                         "Drop a show, an .mvr or a model anywhere here. A desk that sends sACN or "
+                         "Art-Net is heard as soon as a show is open."));
     ways_->setEnabled(doing.isEmpty());
 }
 

@@ -13,6 +13,7 @@
 #include "ui/actions/programmer_actions.h"
 #include "ui/actions/show_actions.h"
 #include "ui/actions/tone_actions.h"
+#include "ui/language/language.h"
 #include "ui/model/shortened.h"
 #include "ui/panels/air_panel.h"
 #include "ui/panels/browser_panel.h"
@@ -83,6 +84,7 @@ Window::Window(Link& link, const WindowOptions& options)
     add_strip();
     add_window_actions();
     add_view_switches();
+    add_languages();
     add_meter_actions(actions_, app_, *view_);
     add_programmer_actions(actions_, app_);
     add_camera_actions(actions_, app_);
@@ -132,7 +134,7 @@ Window::Window(Link& link, const WindowOptions& options)
     context_menus->serve(palettes.list(), [&palettes](QMenu& menu) { palettes.fill_menu(menu); });
     actions_.on_done = [this](const Action& action) { say_done(action); };
     connect(&app_, &AppModel::look_changed, this, &Window::say_hand_taken);
-    transport_ = new QToolBar("Transport", this);
+    transport_ = new QToolBar(translated("Panel", "Transport"), this);
     transport_->setObjectName("transport");
     transport_->setMovable(false);
     transport_->addWidget(new TransportPanel(app_, actions_, transport_));
@@ -155,32 +157,32 @@ Window::Window(Link& link, const WindowOptions& options)
         begin_where_there_is_light();
         view_->setFocus();
         if (!options_.remembers || !QSettings().contains("layout version"))
-            say(QString("Press ? for all keys.") +
-                    (options_.takes_desk && app_.request().input == Input::automatic
-                         ? " A desk that sends sACN or Art-Net takes over by itself."
-                         : ""),
+            say(options_.takes_desk && app_.request().input == Input::automatic
+                    ? translated("Notice", "Press ? for all keys. A desk that sends sACN or Art-Net takes "
+                                           "over by itself.")
+                    : translated("Notice", "Press ? for all keys."),
                 20000);
     });
     connect(&app_, &AppModel::failed, this, [this](const QString& what) { say(what, 15000); });
     connect(&app_, &AppModel::plot_came, this, [this] {
         const ReceivedPlot& plot = app_.plot();
-        say(QString::fromStdString(plot.from + " sent a plot (" +
-                                   (plot.comment.empty() ? plot.file : plot.comment) +
-                                   "): Show, Take the received plot, Ctrl+T"));
+        say(translated("Notice", "%1 sent a plot (%2): Show, Take the received plot, Ctrl+T")
+                .arg(QString::fromStdString(plot.from),
+                     QString::fromStdString(plot.comment.empty() ? plot.file : plot.comment)));
     });
     connect(&app_, &AppModel::wishes_changed, this, [this] { actions_.refresh(); });
     connect(&app_, &AppModel::rig_came, this, &Window::show_status);
     connect(&app_, &AppModel::picture_came, this, [this] {
-        const QString supply = QString::fromStdString(app_.picture().supply);
+        const QString supply = said(app_.picture().supply);
         if (supply != status_supply_->text()) status_supply_->setText(supply);
     });
     connect(&app_, &AppModel::picture_saved, this, [this](const QString& error) {
-        say(error.isEmpty() ? QString("The picture is saved") : error, 8000);
+        say(error.isEmpty() ? translated("Notice", "The picture is saved") : error, 8000);
     });
     connect(&app_, &AppModel::recording_ended, this, [this] {
         const Recorded& recorded = app_.recorded();
-        say(recorded.error ? QString::fromStdString(recorded.error->text())
-                           : QString("Recorded %1 s to %2: Play, Play what was recorded last")
+        say(recorded.error ? said(recorded.error->text())
+                           : translated("Notice", "Recorded %1 s to %2: Play, Play what was recorded last")
                                  .arg(recorded.seconds, 0, 'f', 1)
                                  .arg(QString::fromStdString(recorded.file)),
             20000);
@@ -193,8 +195,8 @@ Window::Window(Link& link, const WindowOptions& options)
     connect(&reach_, &OnScreen::moved, this, [this](const QString& what) { say(what, 15000); });
     connect(&app_.jobs(), &Jobs::changed, this, &Window::show_jobs);
     connect(&app_.jobs(), &Jobs::ended, this, [this](const Job& job) {
-        QString words = job.title + ": " + state_name(job.state);
-        if (job.state == Job::State::failed) words += ". " + job.last_said;
+        QString words = job.title + ": " + translated("Jobs", state_name(job.state));
+        if (job.state == Job::State::failed) words += ". " + said(job.last_said);
         say(words, 15000);
     });
     const QSize room = screen()->availableSize();
@@ -272,30 +274,34 @@ void Window::add_panels() {
     setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
     setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
     fixtures_ = new FixturePanel(app_, document_, this);
-    add_panel("fixtures", "Fixtures", fixtures_, Qt::LeftDockWidgetArea);
-    QDockWidget* values = add_panel("values", "Values", new ValuePanel(app_, this), Qt::RightDockWidgetArea);
+    add_panel("fixtures", translated("Panel", "Fixtures"), fixtures_, Qt::LeftDockWidgetArea);
+    QDockWidget* values = add_panel("values", translated("Panel", "Values"), new ValuePanel(app_, this),
+                                    Qt::RightDockWidgetArea);
     programmer_ = new ProgrammerPanel(app_, palettes_, actions_, this);
-    QDockWidget* hand = add_panel("programmer", "Programmer", programmer_, Qt::RightDockWidgetArea);
+    QDockWidget* hand =
+        add_panel("programmer", translated("Panel", "Programmer"), programmer_, Qt::RightDockWidgetArea);
     auto* scene_panel = new ScenePanel(app_, this);
-    QDockWidget* scene = add_panel("scene", "Scene", scene_panel, Qt::RightDockWidgetArea);
+    QDockWidget* scene =
+        add_panel("scene", translated("Panel", "Scene"), scene_panel, Qt::RightDockWidgetArea);
     tabifyDockWidget(values, hand);
     tabifyDockWidget(hand, scene);
     hand->raise();
-    QDockWidget* network =
-        add_panel("network", "Network", new NetworkPanel(app_, actions_, this), Qt::BottomDockWidgetArea);
-    QDockWidget* messages =
-        add_panel("messages", "Messages", new MessagePanel(app_, this), Qt::BottomDockWidgetArea);
+    QDockWidget* network = add_panel("network", translated("Panel", "Network"), new NetworkPanel(app_, actions_, this),
+                                     Qt::BottomDockWidgetArea);
+    QDockWidget* messages = add_panel("messages", translated("Panel", "Messages"),
+                                      new MessagePanel(app_, this), Qt::BottomDockWidgetArea);
     tabifyDockWidget(network, messages);
     // Behind the others, whose keys people know.
     look_list_ = new LookPanel(app_, looks_, actions_, this);
-    QDockWidget* looks = add_panel("looks", "Looks", look_list_, Qt::RightDockWidgetArea);
+    QDockWidget* looks =
+        add_panel("looks", translated("Panel", "Looks"), look_list_, Qt::RightDockWidgetArea);
     tabifyDockWidget(scene, looks);
-    QDockWidget* exports =
-        add_panel("export", "Export", new ExportPanel(app_, actions_, this), Qt::RightDockWidgetArea);
+    QDockWidget* exports = add_panel("export", translated("Panel", "Export"),
+                                     new ExportPanel(app_, actions_, this), Qt::RightDockWidgetArea);
     tabifyDockWidget(looks, exports);
     auto* air_panel = new AirPanel(app_, document_, actions_, this);
     air_panel->complain = actions_.complain;
-    QDockWidget* air = add_panel("air", "Air", air_panel, Qt::RightDockWidgetArea);
+    QDockWidget* air = add_panel("air", translated("Panel", "Air"), air_panel, Qt::RightDockWidgetArea);
     tabifyDockWidget(exports, air);
     connect(scene_panel, &ScenePanel::asks_for_air, air, [air] {
         air->show();
@@ -307,12 +313,12 @@ void Window::add_panels() {
             actions_.complain(done.error());
     });
     cue_table_ = new CuePanel(app_, cues_, looks_, actions_, this);
-    QDockWidget* cues = add_panel("cues", "Cues", cue_table_, Qt::RightDockWidgetArea);
+    QDockWidget* cues = add_panel("cues", translated("Panel", "Cues"), cue_table_, Qt::RightDockWidgetArea);
     tabifyDockWidget(looks, cues);
-    QDockWidget* plot =
-        add_panel("plot", "Plot", new PlotPanel(app_, plot_report_, actions_, this), Qt::RightDockWidgetArea);
+    QDockWidget* plot = add_panel("plot", translated("Panel", "Plot"),
+                                  new PlotPanel(app_, plot_report_, actions_, this), Qt::RightDockWidgetArea);
     tabifyDockWidget(hand, plot);
-    actions_.item("panel-plot")->setText("What this plot has");
+    actions_.item("panel-plot")->setText(translated("Action", "What this plot has"));
     QDockWidget* const browsers = options_.browsers ? add_browsers(*options_.browsers) : nullptr;
     if (browsers) tabifyDockWidget(air, browsers);
     exports->hide();
@@ -329,10 +335,11 @@ void Window::add_panels() {
 QDockWidget* Window::add_browsers(web::Browsers& browsers) {
     add_browser_actions(actions_, browsers);
     auto* panel = new BrowserPanel(browsers, actions_, this);
-    QDockWidget* dock = add_panel("browsers", "In browsers", panel, Qt::RightDockWidgetArea);
+    QDockWidget* dock =
+        add_panel("browsers", translated("Panel", "In browsers"), panel, Qt::RightDockWidgetArea);
     actions_.add({"in-browsers",
                   "View",
-                  "In browsers...",
+                  translated("Action", "In browsers..."),
                   "",
                   "",
                   [dock](const QStringList&) -> Result<void> {
@@ -346,11 +353,12 @@ QDockWidget* Window::add_browsers(web::Browsers& browsers) {
 
 // Below the picture, where it is wanted.
 void Window::add_strip() {
-    strip_ = new QToolBar("Cameras", this);
+    strip_ = new QToolBar(translated("Panel", "Cameras"), this);
     strip_->setObjectName("cameras");
     strip_->setMovable(false);
     strip_->addWidget(new CameraStrip(app_, actions_, strip_));
-    actions_.add({"camera-strip", "Camera", "Strip of the cameras' pictures", "Ctrl+Shift+K", "",
+    actions_.add({"camera-strip", "Camera", translated("Action", "Strip of the cameras' pictures"),
+                  "Ctrl+Shift+K", "",
                   [this](const QStringList&) -> Result<void> {
                       strip_->setVisible(!strip_->isVisible());
                       return {};
@@ -412,7 +420,8 @@ void Window::say_done(const Action& action) {
         "add-fixture",   "add-model",      "set-stage", "substitute",    "substitute-same", "move-object",
         "palette-store", "palette-remove", "cue-add",   "fly-on-hoists", "mover-address"};
     if (action.name == "save")
-        toast_->say("Saved: " + QString::fromStdString(app_.show()->file.filename().string()));
+        toast_->say(translated("Notice", "Saved: %1")
+                        .arg(QString::fromStdString(app_.show()->file.filename().string())));
     else if (kSays.contains(action.name))
         toast_->say(app_.undo_stack().undoText(), [this] { actions_.choose("undo"); });
 }
@@ -421,9 +430,9 @@ void Window::say_hand_taken() {
     const std::size_t count = app_.look().fixtures.size();
     const bool has_hand = count > 0;
     if (has_hand && !had_hand_ && !app_.fades())
-        toast_->say(
-            QString("By hand now: %1. R gives back what is selected, Shift+R all").arg(words_of(app_.look())),
-            [this] { actions_.choose("undo"); });
+        toast_->say(translated("Notice", "By hand now: %1. R gives back what is selected, Shift+R all")
+                        .arg(words_of(app_.look())),
+                    [this] { actions_.choose("undo"); });
     had_hand_ = has_hand;
 }
 
@@ -452,20 +461,22 @@ void Window::show_status() {
     QString text;
     if (rig.from_desk)
         text = rig.universes.list.empty()
-                   ? QString(listens ? "Listening for a desk: nothing has come yet"
-                                     : "No input: started with --no-desk")
-                   : QString("A desk: %1 %2")
-                         .arg(rig.universes.list.size())
-                         .arg(rig.universes.list.size() == 1 ? "universe" : "universes");
+                   ? (listens ? translated("Notice", "Listening for a desk: nothing has come yet")
+                              : translated("Notice", "No input: started with --no-desk"))
+                   : translated("Notice", "A desk: %n universe(s)", nullptr, rig.universes.list.size());
     else if (rig.recording_s <= 0)
         text = app_.request().input == Input::recording
-                   ? "No recording: the show has none; a desk is not taken (Play menu)"
-               : listens ? "No recording; a desk that sends sACN or Art-Net takes over by itself"
-                         : "No recording, and no desk: started with --no-desk";
+                   ? translated("Notice", "No recording: the show has none; a desk is not taken (Play menu)")
+               : listens ? translated("Notice",
+                                      "No recording; a desk that sends sACN or Art-Net takes over by itself")
+                         : translated("Notice", "No recording, and no desk: started with --no-desk");
     else
-        text = QString("Recording, %1 of %2 s").arg(rig.at_s, 0, 'f', 1).arg(rig.recording_s, 0, 'f', 1);
-    if (!rig.timecode.empty()) text += "; " + QString::fromStdString(rig.timecode);
-    if (rig.recorded_s >= 0) text += QString("; RECORDING, %1 s").arg(rig.recorded_s, 0, 'f', 1);
+        text = translated("Notice", "Recording, %1 of %2 s")
+                   .arg(rig.at_s, 0, 'f', 1)
+                   .arg(rig.recording_s, 0, 'f', 1);
+    if (!rig.timecode.empty()) text += "; " + said(rig.timecode);
+    if (rig.recorded_s >= 0)
+        text += "; " + translated("Notice", "RECORDING, %1 s").arg(rig.recorded_s, 0, 'f', 1);
     status_input_->setText(text);
 }
 
@@ -474,11 +485,12 @@ void Window::show_jobs() {
     for (const Job& job : app_.jobs().all())
         if (job.state == Job::State::runs)
             words = QString("%1: %2 %").arg(job.title).arg(static_cast<int>(100 * job.share)) +
-                    (job.left.isEmpty() ? QString() : ", " + job.left + " left");
+                    (job.left.isEmpty() ? QString() : translated("Jobs", ", %1 left").arg(job.left));
     status_jobs_->setText(words);
 }
 
-void Window::say(const QString& what, int for_ms) {
+void Window::say(const QString& words, int for_ms) {
+    const QString what = said(words);
     const int room_px = status_jobs_->x(); // what always stands there begins there
     statusBar()->showMessage(shortened(what, room_px / fontMetrics().averageCharWidth()), for_ms);
     statusBar()->setToolTip(what);
@@ -486,8 +498,9 @@ void Window::say(const QString& what, int for_ms) {
 
 void Window::closeEvent(QCloseEvent* event) {
     if (const Result<void> kept = document_.keep(); !kept.ok() && !closes_anyway_) {
-        Q_EMIT document_.keep_failed("Not closed, for changes are not saved and cannot be kept: " +
-                                     QString::fromStdString(kept.error().text()));
+        Q_EMIT document_.keep_failed(
+            translated("Notice", "Not closed, for changes are not saved and cannot be kept: %1")
+                .arg(said(kept.error().text())));
         event->ignore();
         return;
     }

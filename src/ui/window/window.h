@@ -60,6 +60,7 @@ private:
     void add_strip();
     void add_window_actions();
     void add_view_switches();
+    void add_languages();
     void lay_out();
     void keep_low(QDockWidget& dock);
     void wait_for_show();
@@ -96,6 +97,7 @@ private:
     Menus menus_;
     Toast* toast_;
     bool plot_is_new_ = false; // its page was not looked at yet
+    QString language_;         // for the next start; empty: the desktop's
     bool had_hand_ = false;    // something was set by hand when it was last looked at
     FixturePanel* fixtures_ = nullptr;
     ProgrammerPanel* programmer_ = nullptr;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The actions of the window itself: open, save a picture, full screen, overlays.
+#include "ui/language/language.h"
 #include "ui/window/window.h"
 
 #include "disk/files.h"
@@ -15,6 +16,7 @@
 #include <QJsonDocument>
 #include <QLayout>
 #include <QMenuBar>
+#include <QSettings>
 #include <QStatusBar>
 #include <QUrl>
 
@@ -25,7 +27,7 @@ namespace ghost::ui {
 void Window::add_window_actions() {
     actions_.add({"open",
                   "Show",
-                  "Open a show...",
+                  translated("Action", "Open a show..."),
                   "Ctrl+O",
                   "PATH",
                   [this](const QStringList& words) -> Result<void> {
@@ -33,7 +35,8 @@ void Window::add_window_actions() {
                       return {};
                   },
                   {},
-                  {"Open a show", "Shows (show.toml *.mvr);;All files (*)", ""}});
+                  {translated("Files", "Open a show"),
+                   translated("Files", "Shows (show.toml *.mvr);;All files (*)"), ""}});
     actions_.add({"open-outside",
                   "",
                   "open-outside",
@@ -46,7 +49,7 @@ void Window::add_window_actions() {
                   {}});
     actions_.add({"open-demo",
                   "Show",
-                  "Open the demo",
+                  translated("Action", "Open the demo"),
                   "Ctrl+Shift+O",
                   "",
                   [this](const QStringList&) -> Result<void> {
@@ -60,7 +63,7 @@ void Window::add_window_actions() {
                   {}});
     actions_.add({"take-plot",
                   "Show",
-                  "Take the received plot",
+                  translated("Action", "Take the received plot"),
                   "Ctrl+T",
                   "",
                   [this](const QStringList&) -> Result<void> {
@@ -73,15 +76,16 @@ void Window::add_window_actions() {
                   {}});
     actions_.add({"save-picture",
                   "Show",
-                  "Save the picture...",
+                  translated("Action", "Save the picture..."),
                   "Ctrl+Shift+S",
                   "FILE",
                   [this](const QStringList& words) { return save_picture(words[0]); },
                   {},
-                  {"Save the picture", "Pictures (*.png *.exr)", "picture.png"}});
+                  {translated("Files", "Save the picture"), translated("Files", "Pictures (*.png *.exr)"),
+                   "picture.png"}});
     actions_.add({"screenshot",
                   "Show",
-                  "Save a picture of the window...",
+                  translated("Action", "Save a picture of the window..."),
                   "",
                   "FILE",
                   [this](const QStringList& words) -> Result<void> {
@@ -89,7 +93,8 @@ void Window::add_window_actions() {
                       return Error{"the picture cannot be written", words[0].toStdString()};
                   },
                   {},
-                  {"Save a picture of the window", "Pictures (*.png)", "window.png"}});
+                  {translated("Files", "Save a picture of the window"),
+                   translated("Files", "Pictures (*.png)"), "window.png"}});
     actions_.add({"state",
                   "",
                   "state",
@@ -99,7 +104,7 @@ void Window::add_window_actions() {
                   {}});
     actions_.add({"quit",
                   "Show",
-                  "Quit",
+                  translated("Action", "Quit"),
                   "Ctrl+Q",
                   "[anyway]",
                   [this](const QStringList& words) -> Result<void> {
@@ -113,7 +118,7 @@ void Window::add_window_actions() {
                   {}});
     actions_.add({"undo",
                   "Edit",
-                  "Undo",
+                  translated("Action", "Undo"),
                   "Ctrl+Z",
                   "",
                   [this](const QStringList&) -> Result<void> {
@@ -124,7 +129,7 @@ void Window::add_window_actions() {
                   {}});
     actions_.add({"redo",
                   "Edit",
-                  "Redo",
+                  translated("Action", "Redo"),
                   "Ctrl+Shift+Z; Ctrl+Y",
                   "",
                   [this](const QStringList&) -> Result<void> {
@@ -135,7 +140,7 @@ void Window::add_window_actions() {
                   {}});
     actions_.add({"find",
                   "Edit",
-                  "Find a fixture",
+                  translated("Action", "Find a fixture"),
                   "Ctrl+F",
                   "",
                   [this](const QStringList&) -> Result<void> {
@@ -146,7 +151,7 @@ void Window::add_window_actions() {
                   {}});
     actions_.add({"shortcuts",
                   "Help",
-                  "Keys",
+                  translated("Action", "Keys"),
                   "?; F1",
                   "",
                   [this](const QStringList&) -> Result<void> {
@@ -156,23 +161,43 @@ void Window::add_window_actions() {
                   {}});
 }
 
+// Of the next window: texts stand in every part of this one.
+void Window::add_languages() {
+    language_ = QSettings().value("language").toString();
+    const auto add = [this](const QString& name, const QString& code, const QString& text) {
+        actions_.add({"language-" + name, "", text, "", "",
+                      [this, code, text](const QStringList&) -> Result<void> {
+                          if (!options_.remembers)
+                              return Error{"this window keeps nothing: it was started with --forget", ""};
+                          language_ = code;
+                          QSettings().setValue("language", code);
+                          say(translated("Notice", "From the next start on: %1").arg(text), 8000);
+                          return {};
+                      },
+                      [this, code] { return language_ == code; }});
+    };
+    add("system", "", translated("Action", "The desktop's language"));
+    for (const LanguageChoice& one : kLanguages) add(one.code, one.code, QString::fromUtf8(one.name));
+}
+
 void Window::add_view_switches() {
-    actions_.add({"full-screen", "View", "Full screen, the picture alone", "F11", "",
+    actions_.add({"full-screen", "View", translated("Action", "Full screen, the picture alone"), "F11", "",
                   [this](const QStringList&) -> Result<void> {
                       set_full_screen(!isFullScreen());
                       return {};
                   },
                   [this] { return isFullScreen(); }});
-    actions_.add(
-        {"second-display", "View", "The picture on a second display", "Shift+F11", "[off|window|NUMBER|NAME]",
-         [this](const QStringList& words) -> Result<void> {
-             const bool closes = words.isEmpty() ? second_.is_open() || second_.waits() : words[0] == "off";
-             if (!closes) return second_.open(words.value(0), screen());
-             second_.close();
-             return {};
-         },
-         [this] { return second_.is_open(); }});
-    actions_.add({"second-window", "View", "The picture in a second window", "", "",
+    actions_.add({"second-display", "View", translated("Action", "The picture on a second display"),
+                  "Shift+F11", "[off|window|NUMBER|NAME]",
+                  [this](const QStringList& words) -> Result<void> {
+                      const bool closes =
+                          words.isEmpty() ? second_.is_open() || second_.waits() : words[0] == "off";
+                      if (!closes) return second_.open(words.value(0), screen());
+                      second_.close();
+                      return {};
+                  },
+                  [this] { return second_.is_open(); }});
+    actions_.add({"second-window", "View", translated("Action", "The picture in a second window"), "", "",
                   [this](const QStringList&) -> Result<void> {
                       if (!second_.is_open()) return second_.open("window", screen());
                       second_.close();
@@ -191,13 +216,14 @@ void Window::add_view_switches() {
                       return {};
                   },
                   {}});
-    actions_.add({"black-out", "View", "Black-out", "B", "",
+    actions_.add({"black-out", "View", translated("Action", "Black-out"), "B", "",
                   [this](const QStringList&) -> Result<void> {
                       app_.wish([](ViewRequest& request) { request.black_out = !request.black_out; });
                       return {};
                   },
                   [this] { return app_.request().black_out; }});
-    actions_.add({"work-light", "View", "Work light: see the stage where nothing shines", "K",
+    actions_.add({"work-light", "View",
+                  translated("Action", "Work light: see the stage where nothing shines"), "K",
                   "[on|off|auto]",
                   [this](const QStringList& words) -> Result<void> {
                       const QString word = words.value(0, app_.picture().has_work_light ? "off" : "on");
@@ -231,14 +257,16 @@ void Window::add_view_switches() {
                       },
                       [this, one] { return view_->overlays.*one; }});
     };
-    add("chips", "Where levels come from, exposure, what hands hold", "", &OverlayChoice::chips);
-    add("figures", "Frame time and latency", "I", &OverlayChoice::figures);
-    add("names", "Names of fixtures", "N", &OverlayChoice::names);
-    add("addresses", "Addresses of fixtures", "U", &OverlayChoice::addresses);
-    add("aims", "Where fixtures point", "L", &OverlayChoice::aims);
-    add("frame", "Frame of the camera", "G", &OverlayChoice::frame);
-    add("marks", "Marks of the selection", "M", &OverlayChoice::marks);
-    add("movers", "Movers: their ways, end stops and where they go", "", &OverlayChoice::movers);
+    add("chips", translated("Action", "Where levels come from, exposure, what hands hold"), "",
+        &OverlayChoice::chips);
+    add("figures", translated("Action", "Frame time and latency"), "I", &OverlayChoice::figures);
+    add("names", translated("Action", "Names of fixtures"), "N", &OverlayChoice::names);
+    add("addresses", translated("Action", "Addresses of fixtures"), "U", &OverlayChoice::addresses);
+    add("aims", translated("Action", "Where fixtures point"), "L", &OverlayChoice::aims);
+    add("frame", translated("Action", "Frame of the camera"), "G", &OverlayChoice::frame);
+    add("marks", translated("Action", "Marks of the selection"), "M", &OverlayChoice::marks);
+    add("movers", translated("Action", "Movers: their ways, end stops and where they go"), "",
+        &OverlayChoice::movers);
 }
 
 void Window::set_full_screen(bool full) {
@@ -297,6 +325,11 @@ Result<void> Window::save_state(const QStringList& arguments) {
     state["looks"] = looks;
     state["look"] = QString::fromStdString(looks_.current());
     if (cues_.current()) state["cue"] = QString::fromStdString(cues_.all()[*cues_.current()].name);
+    QJsonObject titles;
+    for (const Action& action : actions_.all())
+        if (action.text != action.name) titles[action.name] = actions_.item(action.name)->text();
+    state["language"] = language();
+    state["titles"] = titles;
     state["toast"] = toast_->words();
     state["notice"] = notice_->words();
     state["dark"] = static_cast<int>(

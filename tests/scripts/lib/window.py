@@ -36,7 +36,8 @@ class Window:
     def __init__(self, *arguments, show=None, before=(), environment=None):
         """before: a command that runs it, like ip netns exec; environment: more of it."""
         self.socket_path = str(WORK / f"socket-{os.getpid()}-{time.monotonic_ns()}")
-        environment = dict(os.environ, DISPLAY=DISPLAY, XDG_CONFIG_HOME=str(WORK / "config"), **(environment or {}))
+        environment = dict(os.environ, DISPLAY=DISPLAY, XDG_CONFIG_HOME=str(WORK / "config"), LC_ALL="C.UTF-8", LANGUAGE="en",
+                           **(environment or {}))
         environment.pop("WAYLAND_DISPLAY", None)
         environment.pop("QT_QPA_PLATFORM", None)
         self.log = open(WORK / "window.log", "w+")

@@ -1,0 +1,157 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="en" sourcelanguage="en">
+<context>
+    <name>Browsers</name>
+    <message numerus="yes">
+        <source>%n look(s) on:</source>
+        <translation>
+            <numerusform>One looks on:</numerusform>
+            <numerusform>%n look on:</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>By hand</name>
+    <message numerus="yes">
+        <source>%n fixture(s)</source>
+        <translation>
+            <numerusform>%n fixture</numerusform>
+            <numerusform>%n fixtures</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n object(s)</source>
+        <translation>
+            <numerusform>%n object</numerusform>
+            <numerusform>%n objects</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n material(s)</source>
+        <translation>
+            <numerusform>%n material</numerusform>
+            <numerusform>%n materials</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n mover(s)</source>
+        <translation>
+            <numerusform>%n mover</numerusform>
+            <numerusform>%n movers</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>Chips</name>
+    <message numerus="yes">
+        <source>%n light(s) throw no shadows yet</source>
+        <translation>
+            <numerusform>%n light throws no shadows yet</numerusform>
+            <numerusform>%n lights throw no shadows yet</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>Fixtures</name>
+    <message numerus="yes">
+        <source>%n fixture(s)</source>
+        <translation>
+            <numerusform>%n fixture</numerusform>
+            <numerusform>%n fixtures</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>Looks</name>
+    <message numerus="yes">
+        <source>%n fixture(s), %1 s</source>
+        <translation>
+            <numerusform>%n fixture, %1 s</numerusform>
+            <numerusform>%n fixtures, %1 s</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Solo: %n shine(s)</source>
+        <translation>
+            <numerusform>Solo: %n shines</numerusform>
+            <numerusform>Solo: %n shine</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>What if %n fixture(s) had</source>
+        <translation>
+            <numerusform>What if this fixture had</numerusform>
+            <numerusform>What if %n fixtures had</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>Notice</name>
+    <message numerus="yes">
+        <source>%n head(s) have no optics in their files: what is seen of their light is assumed.</source>
+        <translation>
+            <numerusform>%n head has no optics in its file: what is seen of their light is assumed.</numerusform>
+            <numerusform>%n heads have no optics in their files: what is seen of their light is assumed.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>A desk: %n universe(s)</source>
+        <translation>
+            <numerusform>A desk: %n universe</numerusform>
+            <numerusform>A desk: %n universes</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>Palettes</name>
+    <message numerus="yes">
+        <source>%n head(s), each its own</source>
+        <translation>
+            <numerusform>%n head, its own</numerusform>
+            <numerusform>%n heads, each its own</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>Plot</name>
+    <message numerus="yes">
+        <source>%n head(s)</source>
+        <translation>
+            <numerusform>%n head</numerusform>
+            <numerusform>%n heads</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>and %n file(s) more</source>
+        <translation>
+            <numerusform>and %n file more</numerusform>
+            <numerusform>and %n files more</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>Undo</name>
+    <message numerus="yes">
+        <source>show %n object(s)</source>
+        <translation>
+            <numerusform>show object</numerusform>
+            <numerusform>show %n objects</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>hide %n object(s)</source>
+        <translation>
+            <numerusform>hide object</numerusform>
+            <numerusform>hide %n objects</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Substitute %n fixture file(s)</source>
+        <translation>
+            <numerusform>Substitute %n fixture file</numerusform>
+            <numerusform>Substitute %n fixture files</numerusform>
+        </translation>
+    </message>
+</context>
+</TS>

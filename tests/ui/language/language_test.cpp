@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/language/language.h"
+
+#include "ui/language/private/sentence_list.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+using namespace ghost::ui;
+
+namespace {
+
+struct Language : testing::Test {
+    ~Language() override { set_language("en"); }
+};
+
+std::string in_german(const char* english) {
+    set_language("de");
+    return said(english).toStdString();
+}
+
+} // namespace
+
+TEST_F(Language, EnglishIsWhatTheSourcesSay) {
+    EXPECT_EQ(translated("Action", "Undo"), "Undo");
+    EXPECT_EQ(translated("Action", "a text that no catalogue has"), "a text that no catalogue has");
+    EXPECT_EQ(said("no show is open"), "no show is open");
+}
+
+TEST_F(Language, EnglishHasPlurals) {
+    EXPECT_EQ(translated("By hand", "%n fixture(s)", nullptr, 1), "1 fixture");
+    EXPECT_EQ(translated("By hand", "%n fixture(s)", nullptr, 0), "0 fixtures");
+    EXPECT_EQ(translated("Looks", "What if %n fixture(s) had", nullptr, 1), "What if this fixture had");
+}
+
+TEST_F(Language, GermanIsOfTheCatalogue) {
+    set_language("de");
+    EXPECT_EQ(translated("Action", "Undo"), "Rückgängig");
+    EXPECT_EQ(translated("By hand", "%n fixture(s)", nullptr, 1), "1 Gerät");
+    EXPECT_EQ(translated("By hand", "%n fixture(s)", nullptr, 12), "12 Geräte");
+    EXPECT_EQ(translated("Action", "a text that no catalogue has"), "a text that no catalogue has");
+}
+
+TEST_F(Language, AnUnknownLanguageIsEnglish) {
+    set_language("tlh");
+    EXPECT_EQ(translated("Action", "Undo"), "Undo");
+    EXPECT_EQ(translated("By hand", "%n fixture(s)", nullptr, 2), "2 fixtures");
+    EXPECT_EQ(said("no show is open"), "no show is open");
+}
+
+TEST_F(Language, ThereAreThoseThatAreOffered) {
+    for (const LanguageChoice& one : kLanguages) {
+        set_language(one.code);
+        EXPECT_EQ(translated("By hand", "%n fixture(s)", nullptr, 7).contains('('), false) << one.code;
+    }
+}
+
+TEST_F(Language, ASentenceIsKnownByItsPattern) {
+    EXPECT_EQ(in_german("no show is open"), "keine Show ist offen");
+    EXPECT_EQ(in_german("no fixture is called 'Spot %2 and on'"), "kein Gerät heißt 'Spot %2 and on'");
+    EXPECT_EQ(in_german("lit: 1351 of 10000 lm, beam 12.1 deg, hits 'riser_drums' at 4.4 m with 1775 lx"),
+              "leuchtet: 1351 von 10000 lm, Strahl 12.1°, trifft 'riser_drums' in 4.4 m mit 1775 lx");
+    EXPECT_EQ(in_german("'x' is no number of seconds from 0 to 3600"),
+              "'x' ist nicht: Zahl von Sekunden von 0 bis 3600");
+}
+
+TEST_F(Language, WhatIsQuotedStays) {
+    EXPECT_EQ(in_german("another cue is called 'nothing'"), "ein anderer Cue heißt 'nothing'");
+}
+
+TEST_F(Language, APlaceBeforeASentenceStays) {
+    EXPECT_EQ(in_german("hang: no fixture is selected"), "hang: kein Gerät ist ausgewählt");
+    EXPECT_EQ(in_german("/shows/tour/show.toml:12: has no DMX mode"),
+              "/shows/tour/show.toml:12: hat keinen DMX-Modus");
+}
+
+TEST_F(Language, AnotherSentenceStays) {
+    EXPECT_EQ(in_german("show.toml:12: unknown key 'postion', did you mean 'position'?"),
+              "show.toml:12: unknown key 'postion', did you mean 'position'?");
+    EXPECT_EQ(in_german(""), "");
+    const std::string huge(100000, ':');
+    EXPECT_EQ(in_german(huge.c_str()), huge);
+}
+
+TEST_F(Language, EveryPatternSaysSomethingInGerman) {
+    set_language("de");
+    for (const char* const one : sentence_list())
+        EXPECT_FALSE(said(one).isEmpty()) << one;
+    EXPECT_GT(sentence_list().size(), 400u);
+}
