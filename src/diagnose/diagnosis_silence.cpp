@@ -126,9 +126,9 @@ void add_nothing(const dmx::Statistics& statistics, const Arriving& arriving, Se
         !broadcasts.empty())
         text += ". " + broadcasts;
     text += announced_text(arriving);
-    text += ". To tell them apart: where 'tcpdump -ni any udp port 5568 or udp port 6454' shows packets, a "
-            "firewall of "
-            "this machine drops them; where it shows none, they do not get here";
+    if (others.empty()) // else packets get through
+        text += ". To tell them apart: where 'tcpdump -ni any udp port 5568 or udp port 6454' shows "
+                "packets, a firewall of this machine drops them; where it shows none, they do not get here";
     out.push_back(problem(Trouble::nothing_arrives, text));
 }
 

@@ -159,9 +159,9 @@ NetworkPanel::NetworkPanel(AppModel& app, Actions& actions, QWidget* parent) : Q
     auto* left = new QWidget(this);
     auto* left_layout = new QVBoxLayout(left);
     left_layout->setContentsMargins(0, 0, 0, 0);
+    left_layout->addWidget(new RdmBox(app, actions, left)); // its switch is seen in a low panel, too
     left_layout->addWidget(summary_);
     left_layout->addWidget(sources_);
-    left_layout->addWidget(new RdmBox(app, actions, left));
     auto* right = new QWidget(this);
     auto* right_layout = new QVBoxLayout(right);
     right_layout->setContentsMargins(0, 0, 0, 0);

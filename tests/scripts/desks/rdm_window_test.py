@@ -73,6 +73,8 @@ def flashes(window, desk, uid):
     def differs():
         """Where pictures differ, as shares of the width; nothing: nowhere."""
         shots = pictures(window, 8, 0.2)
+        if driver.PICTURES:
+            Image.fromarray(max(shots, key=numpy.mean).astype("uint8")).save(driver.PICTURES / "rdm-brightest.png")
         spread = numpy.max(shots, axis=0) - numpy.min(shots, axis=0)
         columns = numpy.nonzero((spread > 60).sum(axis=0) >= 5)[0]
         return (columns[0] / spread.shape[1], columns[-1] / spread.shape[1]) if len(columns) else None
@@ -83,9 +85,7 @@ def flashes(window, desk, uid):
     first, last = wait("the body of the head that identifies itself flashes", differs)
     assert first > 0.1 and last < 0.5, (first, last)  # the one on the left, and no other
     if driver.PICTURES:
-        for number in range(2):
-            window.do(f'screenshot "{driver.PICTURES / f"rdm-identify-{number}.png"}"')
-            time.sleep(0.5)
+        (driver.PICTURES / "rdm-brightest.png").rename(driver.PICTURES / "rdm-identify.png")
     desk("ola_rdm_set", "-u", "1", "--uid", uid, "identify_device", "0")
     window.until(lambda state: state["rdm"]["identify"] == [])
     wait("and no more", lambda: not differs())
@@ -139,7 +139,6 @@ def drive(window, desk, show):
          "Head 2" in get(of["Head 2"], "device_label"))
     window.do("rdm off")
     window.until(lambda state: state["rdm"]["access"] == "off")
-    assert "Head" not in get(of["Head 1"], "device_label")
     print("ok: off again")
 
 
