@@ -24,7 +24,7 @@
 #include "ui/panels/message_panel.h"
 #include "ui/panels/network_panel.h"
 #include "ui/panels/plot_panel.h"
-#include "ui/panels/print_dialog.h"
+#include "ui/window/print_dialog.h"
 #include "ui/panels/programmer_panel.h"
 #include "ui/panels/scene_panel.h"
 #include "ui/panels/transport_panel.h"
