@@ -387,6 +387,34 @@
         <source>The desktop&apos;s language</source>
         <translation>Sprache des Systems</translation>
     </message>
+    <message>
+        <source>Fly the chosen truss on two hoists</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drive its mover on: 0.1 m up, 5 degrees</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drive its mover back: 0.1 m down, 5 degrees</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Heads and movers go as machines do</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Paperwork...</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cue book...</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Movers: their ways, end stops and where they go</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Air</name>
@@ -1463,6 +1491,14 @@
         <source>begins</source>
         <translation>beginnt</translation>
     </message>
+    <message>
+        <source>Cue book %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Paperwork %1</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Keys</name>
@@ -1746,6 +1782,34 @@
     <message>
         <source>Of its way from %1 to %2%3; as the machine, within its speed</source>
         <translation>Von seinem Weg von %1 bis %2%3; wie die Maschine, mit ihrer Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>As machines go</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Within speed and acceleration of each; else at once where they are asked to be</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no address</source>
+        <translation type="unfinished">keine Adresse</translation>
+    </message>
+    <message>
+        <source>Address of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Universe.address of its first axis, 16 bits each; the others follow. Return sets it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 %2 deg of %3 to %4</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 %2 m of %3 to %4</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -2533,6 +2597,169 @@
     </message>
 </context>
 <context>
+    <name>Print</name>
+    <message>
+        <source>Paperwork</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cue book</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Folder to make</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose...</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose the folder</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A folder to make</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Folder</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All tables as PDF</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>As PDF</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Page</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Make</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation type="unfinished">Abbrechen</translation>
+    </message>
+    <message>
+        <source>Open in the browser</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Plan and section</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Focus charts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Largest that fits</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sheet of the plan</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>As the page asks</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation type="unfinished">Sprache</translation>
+    </message>
+    <message>
+        <source>Units</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Metres, kilograms</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Feet, pounds</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sheet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Entries</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cues, else looks</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cues</source>
+        <translation type="unfinished">Cues</translation>
+    </message>
+    <message>
+        <source>Looks</source>
+        <translation type="unfinished">Looks</translation>
+    </message>
+    <message>
+        <source>Where the recording rests</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Camera</source>
+        <translation type="unfinished">Kamera</translation>
+    </message>
+    <message>
+        <source>Size of pictures</source>
+        <translation type="unfinished">Größe der Bilder</translation>
+    </message>
+    <message>
+        <source>An older show, plot or book to compare with</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>an older show, plot or book</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pictures</source>
+        <translation type="unfinished">Bilder</translation>
+    </message>
+    <message>
+        <source>Compare with</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pictures of the book</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Table to look at</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Preview of the table</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The first camera</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>Programmer</name>
     <message>
         <source>Intensity</source>
@@ -2658,6 +2885,80 @@
     </message>
 </context>
 <context>
+    <name>RDM</name>
+    <message>
+        <source>identifies itself</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>is spoken to</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>is found</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>waits</source>
+        <translation type="unfinished">wartet</translation>
+    </message>
+    <message>
+        <source>, %1 not understood</source>
+        <translation type="unfinished">, %1 nicht verstanden</translation>
+    </message>
+    <message>
+        <source>, %1 refused</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 more</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>; %1 identify themselves</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation type="unfinished">aus</translation>
+    </message>
+    <message>
+        <source>desks find and read</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>desks also set address, mode and name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Whether desks find the fixtures by RDM over Art-Net. What a desk sets is an edit of the show, which can be undone.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fixtures as RDM devices</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fixture</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Address</source>
+        <translation type="unfinished">Adresse</translation>
+    </message>
+    <message>
+        <source>Mode</source>
+        <translation type="unfinished">Modus</translation>
+    </message>
+    <message>
+        <source>Is</source>
+        <translation type="unfinished">Ist</translation>
+    </message>
+</context>
+<context>
     <name>Scene</name>
     <message>
         <source>Smoke</source>
@@ -2738,6 +3039,14 @@
     <message>
         <source>Material</source>
         <translation>Material</translation>
+    </message>
+    <message>
+        <source>Fly it on two hoists</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The truss with all its pieces and the fixtures under it; Movers above then drive it</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -4598,6 +4907,46 @@
         <source>haze is &apos;%1&apos;, expected one of %2</source>
         <translation>Dunst ist &apos;%1&apos;, erwartet eines von %2</translation>
     </message>
+    <message>
+        <source>it needs the name of a folder</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is none of 8, 16 and 24 bits</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>does not lie like a truss or a pipe, so no hoists hold it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>goes with mover &apos;%1&apos; already</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>is the name of another mover</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>nothing that a mover carries is selected: click a lamp on it, or double click it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is neither commanded nor machine</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no such fixture any more</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the fixture has no such mode any more</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos;, expected off, read or edit</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Transport</name>
@@ -4908,6 +5257,18 @@
             <numerusform>%n Gerätedatei ersetzen</numerusform>
             <numerusform>%n Gerätedateien ersetzen</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Address of &apos;%1&apos;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fly &apos;%1&apos; on hoists</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> of %1 by RDM</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>

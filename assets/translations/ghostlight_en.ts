@@ -131,6 +131,16 @@
     </message>
 </context>
 <context>
+    <name>RDM</name>
+    <message numerus="yes">
+        <source>; %1 identify themselves</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>Undo</name>
     <message numerus="yes">
         <source>show %n object(s)</source>

@@ -23,12 +23,6 @@ void add_messages(const Report& from, Report& to) {
     to.messages.insert(to.messages.end(), from.messages.begin(), from.messages.end());
 }
 
-std::vector<PlotChange> changes_of(const Plot& plot, const std::vector<ChangeEntry>& entries) {
-    Plot changed = plot;
-    Report unheard; // write_mvr says what is not in the plot
-    return apply_changes(changed, entries, origin_of(plot), unheard);
-}
-
 void say_what_stays(const ParsedShow& parsed, const fs::path& file, Report& report) {
     const auto say = [&](std::size_t count, const char* what) {
         if (count > 0)
@@ -61,13 +55,12 @@ Result<ExportedPlot> export_plot(const fs::path& show, const fs::path& output, c
     }
     TRY(LoadedPlot loaded, load_mvr(plot_file, loading));
     add_messages(loaded.report, report);
-    const std::vector<PlotChange> changes = changes_of(loaded.plot, parsed.changes);
+    Plot changed = loaded.plot;
+    Report unheard; // write_mvr says what is not in the plot
+    const std::vector<PlotChange> changes =
+        apply_changes(changed, parsed.changes, origin_of(loaded.plot), unheard);
     TRY_VOID(write_mvr(loaded, changes, output, report));
-    if (!text.empty()) {
-        Plot changed = loaded.plot;
-        for (const PlotChange& change : changes) apply_change(changed, change);
-        TRY_VOID(export_movers(text, changed, output, report));
-    }
+    if (!text.empty()) TRY_VOID(export_movers(text, changed, output, report));
     ExportedPlot exported{loaded.plot.objects.size(), loaded.archive.names().size(), 0};
     const ObjectIndex index(loaded.plot);
     for (const PlotChange& change : changes)

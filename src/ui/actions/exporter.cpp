@@ -180,7 +180,9 @@ Result<int> Exporter::print(const QString& command, const QString& folder, const
     if (!QFileInfo(absolute).absoluteDir().exists())
         return Error{"no such folder", QFileInfo(absolute).absolutePath().toStdString()};
     TRY(const QString show, show_file());
-    const QString title = (command == "book" ? "Cue book " : "Paperwork ") + QFileInfo(absolute).fileName();
+    const QString title =
+        (command == "book" ? translated("Jobs", "Cue book %1") : translated("Jobs", "Paperwork %1"))
+            .arg(QFileInfo(absolute).fileName());
     return app_.jobs().start(title, QStringList{command, show, "-o", absolute} + options);
 }
 

@@ -108,7 +108,7 @@ Result<void> set_address(AppModel& app, ShowDocument& document, const QStringLis
     TRY(std::string text,
         scene::set_mover_address(document.text(), mover,
                                  {static_cast<int>(universe), static_cast<int>(address)}, bits));
-    return document.edit("Address of '" + QString::fromStdString(mover.name) + "'",
+    return document.edit(translated("Undo", "Address of '%1'").arg(QString::fromStdString(mover.name)),
                          {std::move(text), app.look(), app.selection()});
 }
 
@@ -180,7 +180,7 @@ Result<void> fly_on_hoists(AppModel& app, ShowDocument& document, std::size_t ob
             truss.fixtures.push_back(fixture.name);
     add_hoists(bar, show, truss);
     TRY(std::string text, scene::add_mover(document.text(), truss));
-    return document.edit("Fly '" + QString::fromStdString(truss.name) + "' on hoists",
+    return document.edit(translated("Undo", "Fly '%1' on hoists").arg(QString::fromStdString(truss.name)),
                          {std::move(text), app.look(), app.selection()});
 }
 

@@ -135,9 +135,10 @@ void add_mover_actions(Actions& actions, AppModel& app) {
                      [&app, steps](const QStringList&) { return drive_on(app, steps); },
                      {}});
     };
-    add("mover-on", "Drive its mover on: 0.1 m up, 5 degrees", "Alt+PgUp", 1);
-    add("mover-back", "Drive its mover back: 0.1 m down, 5 degrees", "Alt+PgDown", -1);
-    actions.add({"motion", "Play", "Heads and movers go as machines do", "", "[commanded|machine]",
+    add("mover-on", translated("Action", "Drive its mover on: 0.1 m up, 5 degrees"), "Alt+PgUp", 1);
+    add("mover-back", translated("Action", "Drive its mover back: 0.1 m down, 5 degrees"), "Alt+PgDown", -1);
+    actions.add({"motion", "Play", translated("Action", "Heads and movers go as machines do"), "",
+                 "[commanded|machine]",
                  [&app](const QStringList& words) { return set_motion(app, words.value(0)); },
                  [&app] {
                      return app.show() && app.request().motion.value_or(app.show()->motion) ==

@@ -23,9 +23,10 @@ QString address_of(const scene::Mover& mover) {
 } // namespace
 
 MoverBox::MoverBox(AppModel& app, QWidget* parent)
-    : QGroupBox("Movers", parent), app_(app), layout_(new QVBoxLayout(this)),
-      as_machine_(new QCheckBox("As machines go", this)) {
-    as_machine_->setToolTip("Within speed and acceleration of each; else at once where they are asked to be");
+    : QGroupBox(translated("Movers", "Movers"), parent), app_(app), layout_(new QVBoxLayout(this)),
+      as_machine_(new QCheckBox(translated("Movers", "As machines go"), this)) {
+    as_machine_->setToolTip(translated(
+        "Movers", "Within speed and acceleration of each; else at once where they are asked to be"));
     connect(as_machine_, &QCheckBox::clicked, this,
             [this](bool on) { Q_EMIT asks_for(on ? "motion machine" : "motion commanded"); });
     layout_->addWidget(as_machine_);
@@ -61,10 +62,10 @@ void MoverBox::add_head(std::size_t mover) {
     line->setContentsMargins(0, 0, 0, 0);
     line->addWidget(new QLabel(name, head), 1);
     auto* address = new QLineEdit(address_of(of), head);
-    address->setPlaceholderText("no address");
-    address->setAccessibleName("Address of " + name);
-    address->setToolTip(
-        "Universe.address of its first axis, 16 bits each; the others follow. Return sets it.");
+    address->setPlaceholderText(translated("Movers", "no address"));
+    address->setAccessibleName(translated("Movers", "Address of %1").arg(name));
+    address->setToolTip(translated(
+        "Movers", "Universe.address of its first axis, 16 bits each; the others follow. Return sets it."));
     connect(address, &QLineEdit::editingFinished, this, [this, address, name, mover] {
         if (mover >= app_.show()->movers.size() || address->text() == address_of(app_.show()->movers[mover]))
             return;
@@ -79,10 +80,10 @@ void MoverBox::add_head(std::size_t mover) {
 
 void MoverBox::add_row(std::size_t mover, std::size_t axis) {
     const scene::MoverAxis& of = app_.show()->movers[mover].axes[axis];
-    const QString unit = of.is_angle ? " deg" : " m";
+    const QString unit = of.is_angle ? translated("Value", " deg") : " m";
     auto* row = new ValueRow(QString::fromStdString(of.name),
                              {static_cast<double>(of.low), static_cast<double>(of.high), 2, unit}, this);
-    row->setToolTip(QString("Of its way from %1 to %2%3; as the machine, within its speed")
+    row->setToolTip(translated("Movers", "Of its way from %1 to %2%3; as the machine, within its speed")
                         .arg(static_cast<double>(of.low))
                         .arg(static_cast<double>(of.high))
                         .arg(unit));

@@ -2,6 +2,7 @@
 #include "ui/panels/rdm_box.h"
 
 #include "show/show.h"
+#include "ui/language/language.h"
 
 #include <QHBoxLayout>
 #include <QHeaderView>
@@ -17,10 +18,10 @@ constexpr int kMostNamed = 3;
 constexpr int kTable_px = 140;
 
 QString state_of(const RdmHead& head) {
-    return head.identifies     ? "identifies itself"
-           : head.messages > 0 ? "is spoken to"
-           : head.is_found     ? "is found"
-                               : "waits";
+    return head.identifies     ? translated("RDM", "identifies itself")
+           : head.messages > 0 ? translated("RDM", "is spoken to")
+           : head.is_found     ? translated("RDM", "is found")
+                               : translated("RDM", "waits");
 }
 
 } // namespace
@@ -29,30 +30,31 @@ QString words_of(const RdmNow& rdm, const scene::Show& show) {
     if (rdm.access == RdmAccess::off) return {};
     const auto found = std::count_if(rdm.heads.begin(), rdm.heads.end(),
                                      [](const RdmHead& head) { return head.is_found || head.messages > 0; });
-    QString text = QString("%1 of %2 fixtures were found by a desk, %3 messages")
+    QString text = translated("RDM", "%1 of %2 fixtures were found by a desk, %n message(s)", nullptr,
+                              static_cast<long long>(rdm.messages))
                        .arg(found)
-                       .arg(rdm.heads.size())
-                       .arg(rdm.messages);
-    if (rdm.faults > 0) text += QString(", %1 not understood").arg(rdm.faults);
-    if (rdm.refused > 0) text += QString(", %1 refused").arg(rdm.refused);
+                       .arg(rdm.heads.size());
+    if (rdm.faults > 0) text += translated("RDM", ", %1 not understood").arg(rdm.faults);
+    if (rdm.refused > 0) text += translated("RDM", ", %1 refused").arg(rdm.refused);
     int identify = 0;
     QStringList names;
     for (const RdmHead& head : rdm.heads) {
         if (!head.identifies || head.fixture >= show.fixtures.size()) continue;
         if (++identify <= kMostNamed) names.append(QString::fromStdString(show.fixtures[head.fixture].name));
     }
-    if (identify > kMostNamed) names.append(QString("%1 more").arg(identify - kMostNamed));
+    if (identify > kMostNamed) names.append(translated("RDM", "%1 more").arg(identify - kMostNamed));
     if (identify > 0)
-        text += "; " + names.join(", ") + (identify == 1 ? " identifies itself" : " identify themselves");
+        text += translated("RDM", "; %1 identify themselves", nullptr, identify).arg(names.join(", "));
     return text;
 }
 
 RdmBox::RdmBox(AppModel& app, Actions& actions, QWidget* parent) : QWidget(parent), app_(app) {
     access_ = new QComboBox(this);
     access_->setAccessibleName("RDM");
-    access_->addItems({"off", "desks find and read", "desks also set address, mode and name"});
-    access_->setToolTip("Whether desks find the fixtures by RDM over Art-Net. What a desk sets is an edit of "
-                        "the show, which can be undone.");
+    access_->addItems({translated("RDM", "off"), translated("RDM", "desks find and read"),
+                       translated("RDM", "desks also set address, mode and name")});
+    access_->setToolTip(translated("RDM", "Whether desks find the fixtures by RDM over Art-Net. What a desk "
+                                          "sets is an edit of the show, which can be undone."));
     connect(access_, &QComboBox::activated, this,
             [&actions](int index) { actions.choose(QString("rdm ") + kRdmAccess[index]); });
     auto* label = new QLabel("RDM", this);
@@ -63,8 +65,9 @@ RdmBox::RdmBox(AppModel& app, Actions& actions, QWidget* parent) : QWidget(paren
     words_ = new QLabel(this);
     words_->setWordWrap(true);
     heads_ = new QTableWidget(0, 5, this);
-    heads_->setAccessibleName("Fixtures as RDM devices");
-    heads_->setHorizontalHeaderLabels({"Fixture", "UID", "Address", "Mode", "Is"});
+    heads_->setAccessibleName(translated("RDM", "Fixtures as RDM devices"));
+    heads_->setHorizontalHeaderLabels({translated("RDM", "Fixture"), "UID", translated("RDM", "Address"),
+                                       translated("RDM", "Mode"), translated("RDM", "Is")});
     heads_->verticalHeader()->hide();
     heads_->setEditTriggers(QAbstractItemView::NoEditTriggers);
     heads_->setSelectionBehavior(QAbstractItemView::SelectRows);

@@ -111,8 +111,9 @@ void ScenePanel::add_stage(QLayout* layout) {
         if (const auto object = stage_->object()) Q_EMIT asks_to_hang(*object);
     });
     layout->addWidget(hang_);
-    fly_ = new QPushButton("Fly it on two hoists", this);
-    fly_->setToolTip("The truss with all its pieces and the fixtures under it; Movers above then drive it");
+    fly_ = new QPushButton(translated("Scene", "Fly it on two hoists"), this);
+    fly_->setToolTip(translated(
+        "Scene", "The truss with all its pieces and the fixtures under it; Movers above then drive it"));
     connect(fly_, &QPushButton::clicked, this, [this] {
         if (stage_->object()) Q_EMIT asks_for("fly-on-hoists");
     });

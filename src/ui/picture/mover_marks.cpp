@@ -3,6 +3,7 @@
 
 #include "show/mover_pose.h"
 #include "show/show.h"
+#include "ui/language/language.h"
 #include "ui/picture/overlays.h"
 #include "ui/widgets/theme.h"
 
@@ -292,9 +293,9 @@ QString value_words(const scene::Show& show, const MoverHandle& handle, float va
     const auto number = [&](float one) {
         return QString::number(static_cast<double>(one), 'f', axis.is_angle ? 1 : 2);
     };
-    return QString("%1 %2 %3 of %4 to %5")
-        .arg(QString::fromStdString(axis.name), number(value), axis.is_angle ? "deg" : "m", number(axis.low),
-             number(axis.high));
+    return (axis.is_angle ? translated("Movers", "%1 %2 deg of %3 to %4")
+                          : translated("Movers", "%1 %2 m of %3 to %4"))
+        .arg(QString::fromStdString(axis.name), number(value), number(axis.low), number(axis.high));
 }
 
 void paint_movers(QPainter& painter, const MoverScene& scene, const std::optional<MoverHandle>& hot) {

@@ -2,6 +2,7 @@
 #include "ui/window/print_dialog.h"
 
 #include "show/show.h"
+#include "ui/language/language.h"
 
 #include <QDesktopServices>
 #include <QDir>
@@ -29,7 +30,7 @@ constexpr QSize kPicture(240, 135);
 QComboBox* choice(const QString& name, std::initializer_list<std::pair<const char*, const char*>> words,
                   QWidget* parent) {
     auto* box = new QComboBox(parent);
-    for (const auto& [text, option] : words) box->addItem(text, option);
+    for (const auto& [text, option] : words) box->addItem(translated("Print", text), option);
     box->setAccessibleName(name);
     return box;
 }
@@ -69,7 +70,7 @@ QByteArray beginning_of(const QString& path, qint64 most) {
 } // namespace
 
 void add_print_actions(Actions& actions, AppModel& app, QWidget& window) {
-    const auto add = [&](const char* name, const char* text, PrintDialog::What what) {
+    const auto add = [&](const char* name, const QString& text, PrintDialog::What what) {
         actions.add({name,
                      "Show",
                      text,
@@ -88,31 +89,33 @@ void add_print_actions(Actions& actions, AppModel& app, QWidget& window) {
                      },
                      {}});
     };
-    add("paperwork", "Paperwork...", PrintDialog::What::paper);
-    add("cue-book", "Cue book...", PrintDialog::What::book);
+    add("paperwork", translated("Action", "Paperwork..."), PrintDialog::What::paper);
+    add("cue-book", translated("Action", "Cue book..."), PrintDialog::What::book);
 }
 
 PrintDialog::PrintDialog(What what, AppModel& app, Actions& actions, QWidget* parent)
     : QDialog(parent), what_(what), app_(app), actions_(actions) {
-    setWindowTitle(what == What::paper ? "Paperwork" : "Cue book");
+    setWindowTitle(what == What::paper ? translated("Print", "Paperwork") : translated("Print", "Cue book"));
     auto* form = new QFormLayout;
     folder_ = new QLineEdit(this);
-    folder_->setAccessibleName("Folder to make");
-    auto* choose = new QPushButton("Choose...", this);
-    choose->setAccessibleName("Choose the folder");
+    folder_->setAccessibleName(translated("Print", "Folder to make"));
+    auto* choose = new QPushButton(translated("Print", "Choose..."), this);
+    choose->setAccessibleName(translated("Print", "Choose the folder"));
     connect(choose, &QPushButton::clicked, this, [this] {
-        const QString chosen = QFileDialog::getSaveFileName(this, "A folder to make", folder_->text(), "",
-                                                            nullptr, QFileDialog::ShowDirsOnly);
+        const QString chosen =
+            QFileDialog::getSaveFileName(this, translated("Print", "A folder to make"), folder_->text(), "",
+                                         nullptr, QFileDialog::ShowDirsOnly);
         if (!chosen.isEmpty()) folder_->setText(chosen);
     });
     auto* place = new QHBoxLayout;
     place->addWidget(folder_, 1);
     place->addWidget(choose);
-    form->addRow("Folder", place);
-    pdf_ = new QCheckBox(what == What::paper ? "All tables as PDF" : "As PDF", this);
-    page_ = choice("Page", {{"A4", "A4"}, {"Letter", "Letter"}}, this);
+    form->addRow(translated("Print", "Folder"), place);
+    pdf_ = new QCheckBox(
+        what == What::paper ? translated("Print", "All tables as PDF") : translated("Print", "As PDF"), this);
+    page_ = choice(translated("Print", "Page"), {{"A4", "A4"}, {"Letter", "Letter"}}, this);
     what == What::paper ? add_paper_choices(*form) : add_book_choices(*form);
-    form->addRow("Page", page_);
+    form->addRow(translated("Print", "Page"), page_);
     form->addRow(pdf_);
 
     said_ = new QLabel(this);
@@ -121,11 +124,11 @@ PrintDialog::PrintDialog(What what, AppModel& app, Actions& actions, QWidget* pa
     bar_ = new QProgressBar(this);
     bar_->setRange(0, 1000);
     bar_->setTextVisible(false);
-    bar_->setAccessibleName("Progress");
-    make_ = new QPushButton("Make", this);
+    bar_->setAccessibleName(translated("Print", "Progress"));
+    make_ = new QPushButton(translated("Print", "Make"), this);
     make_->setDefault(true);
-    cancel_ = new QPushButton("Cancel", this);
-    open_ = new QPushButton("Open in the browser", this);
+    cancel_ = new QPushButton(translated("Print", "Cancel"), this);
+    open_ = new QPushButton(translated("Print", "Open in the browser"), this);
     connect(make_, &QPushButton::clicked, this, &PrintDialog::make);
     connect(cancel_, &QPushButton::clicked, this, [this] { app_.jobs().cancel(job_); });
     connect(open_, &QPushButton::clicked, this,
@@ -149,17 +152,17 @@ PrintDialog::PrintDialog(What what, AppModel& app, Actions& actions, QWidget* pa
 }
 
 void PrintDialog::add_paper_choices(QFormLayout& form) {
-    plan_ = new QCheckBox("Plan and section", this);
-    focus_ = new QCheckBox("Focus charts", this);
-    scale_ = choice("Scale",
-                    {{"Largest that fits", "fit"},
+    plan_ = new QCheckBox(translated("Print", "Plan and section"), this);
+    focus_ = new QCheckBox(translated("Print", "Focus charts"), this);
+    scale_ = choice(translated("Print", "Scale"),
+                    {{QT_TRANSLATE_NOOP("Print", "Largest that fits"), "fit"},
                      {"1:25", "1:25"},
                      {"1:50", "1:50"},
                      {"1:100", "1:100"},
                      {"1:200", "1:200"}},
                     this);
-    sheet_ = choice("Sheet of the plan",
-                    {{"As the page asks", ""},
+    sheet_ = choice(translated("Print", "Sheet of the plan"),
+                    {{QT_TRANSLATE_NOOP("Print", "As the page asks"), ""},
                      {"A4", "A4"},
                      {"A3", "A3"},
                      {"A2", "A2"},
@@ -168,37 +171,40 @@ void PrintDialog::add_paper_choices(QFormLayout& form) {
                      {"Tabloid", "Tabloid"},
                      {"Arch D", "ArchD"}},
                     this);
-    language_ = choice("Language", {{"English", "en"}, {"Deutsch", "de"}}, this);
-    units_ = choice("Units", {{"Metres, kilograms", "metric"}, {"Feet, pounds", "imperial"}}, this);
+    language_ = choice(translated("Print", "Language"), {{"English", "en"}, {"Deutsch", "de"}}, this);
+    units_ = choice(translated("Print", "Units"),
+                    {{QT_TRANSLATE_NOOP("Print", "Metres, kilograms"), "metric"},
+                     {QT_TRANSLATE_NOOP("Print", "Feet, pounds"), "imperial"}},
+                    this);
     for (QComboBox* of_plan : {scale_, sheet_}) {
         of_plan->setEnabled(false);
         connect(plan_, &QCheckBox::toggled, of_plan, &QWidget::setEnabled);
     }
     form.addRow(plan_);
-    form.addRow("Scale", scale_);
-    form.addRow("Sheet", sheet_);
+    form.addRow(translated("Print", "Scale"), scale_);
+    form.addRow(translated("Print", "Sheet"), sheet_);
     form.addRow(focus_);
-    form.addRow("Language", language_);
-    form.addRow("Units", units_);
+    form.addRow(translated("Print", "Language"), language_);
+    form.addRow(translated("Print", "Units"), units_);
 }
 
 void PrintDialog::add_book_choices(QFormLayout& form) {
-    entries_ = choice("Entries",
-                      {{"Cues, else looks", ""},
-                       {"Cues", "--cues"},
-                       {"Looks", "--looks"},
-                       {"Where the recording rests", "--find"}},
+    entries_ = choice(translated("Print", "Entries"),
+                      {{QT_TRANSLATE_NOOP("Print", "Cues, else looks"), ""},
+                       {QT_TRANSLATE_NOOP("Print", "Cues"), "--cues"},
+                       {QT_TRANSLATE_NOOP("Print", "Looks"), "--looks"},
+                       {QT_TRANSLATE_NOOP("Print", "Where the recording rests"), "--find"}},
                       this);
-    camera_ = choice("Camera", {}, this);
-    size_ = choice("Size of pictures",
+    camera_ = choice(translated("Print", "Camera"), {}, this);
+    size_ = choice(translated("Print", "Size of pictures"),
                    {{"640x360", "640x360"}, {"480x270", "480x270"}, {"1280x720", "1280x720"}}, this);
     against_ = new QLineEdit(this);
-    against_->setAccessibleName("An older show, plot or book to compare with");
-    against_->setPlaceholderText("an older show, plot or book");
-    form.addRow("Entries", entries_);
-    form.addRow("Camera", camera_);
-    form.addRow("Pictures", size_);
-    form.addRow("Compare with", against_);
+    against_->setAccessibleName(translated("Print", "An older show, plot or book to compare with"));
+    against_->setPlaceholderText(translated("Print", "an older show, plot or book"));
+    form.addRow(translated("Print", "Entries"), entries_);
+    form.addRow(translated("Print", "Camera"), camera_);
+    form.addRow(translated("Print", "Pictures"), size_);
+    form.addRow(translated("Print", "Compare with"), against_);
 }
 
 QWidget* PrintDialog::make_preview() {
@@ -207,7 +213,7 @@ QWidget* PrintDialog::make_preview() {
     layout->setContentsMargins(0, 0, 0, 0);
     if (what_ == What::book) {
         pictures_ = new QListWidget(preview);
-        pictures_->setAccessibleName("Pictures of the book");
+        pictures_->setAccessibleName(translated("Print", "Pictures of the book"));
         pictures_->setViewMode(QListView::IconMode);
         pictures_->setIconSize(kPicture);
         pictures_->setMovement(QListView::Static);
@@ -217,9 +223,9 @@ QWidget* PrintDialog::make_preview() {
         return preview;
     }
     tables_ = new QComboBox(preview);
-    tables_->setAccessibleName("Table to look at");
+    tables_->setAccessibleName(translated("Print", "Table to look at"));
     table_ = new QTableWidget(preview);
-    table_->setAccessibleName("Preview of the table");
+    table_->setAccessibleName(translated("Print", "Preview of the table"));
     table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
     table_->verticalHeader()->hide();
     layout->addWidget(tables_);
@@ -234,7 +240,7 @@ void PrintDialog::name_show() {
     folder_->setText(QDir(folder).filePath(what_ == What::paper ? "paper" : "book"));
     if (!camera_) return;
     camera_->clear();
-    camera_->addItem("The first camera", "");
+    camera_->addItem(translated("Print", "The first camera"), "");
     for (const scene::Camera& camera : app_.show()->cameras) {
         const QString name = QString::fromStdString(camera.name);
         camera_->addItem(name, name);
@@ -269,7 +275,7 @@ void PrintDialog::make() {
     const QString command = what_ == What::paper ? "export-paper " : "export-book ";
     const Result<void> begun = actions_.run(command + quoted(folder_->text()) + " " + options());
     if (!begun.ok()) {
-        said_->setText(QString::fromStdString(begun.error().text()));
+        said_->setText(said(begun.error().text()));
         return;
     }
     made_ = folder_->text();
@@ -290,10 +296,11 @@ void PrintDialog::follow() {
     open_->setEnabled(is_done);
     if (job == jobs.end()) return;
     bar_->setValue(static_cast<int>(1000 * job->share));
-    QString words = job->is_given_up && runs ? QString("stopping") : state_name(job->state);
-    if (runs && !job->doing.isEmpty()) words += ": " + job->doing;
-    if (runs && !job->left.isEmpty()) words += ", " + job->left + " left";
-    if (job->state == Job::State::failed) words += ": " + job->last_said;
+    QString words = job->is_given_up && runs ? translated("Jobs", "stopping")
+                                             : translated("Jobs", state_name(job->state));
+    if (runs && !job->doing.isEmpty()) words += ": " + said(job->doing);
+    if (runs && !job->left.isEmpty()) words += translated("Jobs", ", %1 left").arg(job->left);
+    if (job->state == Job::State::failed) words += ": " + said(job->last_said);
     said_->setText(words);
     if (is_done && !is_shown_) show_result();
 }

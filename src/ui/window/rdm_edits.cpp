@@ -3,6 +3,7 @@
 
 #include "show/show.h"
 #include "ui/actions/patch_edit.h"
+#include "ui/language/language.h"
 
 #include <QTimer>
 
@@ -60,7 +61,8 @@ Result<void> RdmEdits::edit(const RdmWish& wish) {
         index = static_cast<std::size_t>(std::distance(fixtures.begin(), found));
     }
     const scene::PatchedFixture& fixture = fixtures[index];
-    PatchEdit by_desk(app_, document_, index, " of " + QString::fromStdString(wish.name) + " by RDM");
+    PatchEdit by_desk(app_, document_, index,
+                      translated("Undo", " of %1 by RDM").arg(QString::fromStdString(wish.name)));
     if (wish.address) return by_desk.set_address({fixture.universe, *wish.address});
     if (wish.label) return by_desk.rename(QString::fromStdString(*wish.label));
     if (!wish.mode || !fixture.type || *wish.mode >= fixture.type->modes.size())

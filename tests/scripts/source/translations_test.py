@@ -34,7 +34,10 @@ NO_TEXT = {
     "given to what is new in a file, whose texts stay": {"Look %1", "Cue ", "Camera ", "Fixture", "My show"},
     "words of attributes in GDTF": {"Color", "Colour"},
     "parts of an error that stand before it": {"' is no ", " and "},
-    "words of scripts and of this program's commands": {"cue ", "tone ", "palette ", "fan ", " up", " down", "between", " slurm", "gel "},
+    "words of scripts and of this program's commands": {"cue ", "tone ", "palette ", "fan ", " up", " down", "between", " slurm", "gel ", "motion machine", "motion commanded", "mover-address "},
+    "options of this program's commands": {" --pdf", " --focus", " --plan"},
+    "sheets of paper, called so everywhere": {"Letter", "Tabloid", "Arch D", "ArchD"},
+    "languages by their own names": {"English", "Deutsch"},
 }
 EXCEPTIONS = set().union(*NO_TEXT.values())
 # What stands before a literal that nobody reads.
