@@ -39,8 +39,9 @@ class Movers(unittest.TestCase):
         global window
         window = Window("--size", "1280x760", "--interface", "net0", "--universes", "8-9", "--psn", "--quiet",
                         show=stage_without_hoists(WORK / "show"))
-        window.do("wait opened", "resolution 25", "work-light on", "fly-on-hoists Truss", "wait opened",
-                  "mover-address Truss 9.1", "wait opened", "panel-scene on")
+        window.do("wait opened", "resolution 25", "work-light on", "panel-scene on", "fly-on-hoists Truss")
+        window.until(lambda state: "Truss" in state["movers"])
+        window.do("mover-address Truss 9.1")
         # A truss of 40 cm at 6 m goes down to a metre above the floor; 128 and 64 of 255.
         low = -5.0
         state = window.until(lambda state: state["movers"].get("Truss", {}).get("goals", [0])[0] < -1)
