@@ -84,6 +84,8 @@ TEST(Looks, movers_that_the_show_does_not_have_so_are_named) {
 TEST(Looks, fixtures_that_the_show_does_not_have_are_named) {
     Show show;
     show.fixtures.emplace_back().name = "Spot 1";
+    show.movers.emplace_back().name = verse().movers.begin()->first;
+    show.movers[0].axes.resize(2);
     Report report;
     check_look(verse(), show, "looks.toml", report);
     ASSERT_EQ(report.messages.size(), 1u);
