@@ -24,7 +24,7 @@ namespace {
 
 // Of a preview: the whole of it is in the folder.
 constexpr qint64 kMostTableBytes = 256 * 1024, kMostBookBytes = 4 * 1024 * 1024;
-constexpr int kMostRows = 200, kMostPictures = 24;
+constexpr int kMostRowsShown = 200, kMostPictures = 24;
 constexpr QSize kPicture(240, 135);
 
 QComboBox* choice(const QString& name, std::initializer_list<std::pair<const char*, const char*>> words,
@@ -40,7 +40,7 @@ std::vector<QStringList> rows_of(const QString& csv) {
     std::vector<QStringList> rows(1);
     QString cell;
     bool is_quoted = false;
-    for (qsizetype k = 0; k < csv.size() && rows.size() <= kMostRows + 1; ++k) {
+    for (qsizetype k = 0; k < csv.size() && rows.size() <= kMostRowsShown + 1; ++k) {
         const QChar letter = csv[k];
         if (letter == '"' && is_quoted && k + 1 < csv.size() && csv[k + 1] == '"') {
             cell += letter;

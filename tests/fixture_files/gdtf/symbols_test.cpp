@@ -83,7 +83,7 @@ TEST(Symbols, show_what_is_seen) {
     EXPECT_FALSE(symbol.lines[0].is_filled);
     EXPECT_TRUE(symbol.lines[0].is_closed);
     EXPECT_FLOAT_EQ(symbol.low.x, 10.0f);
-    EXPECT_FLOAT_EQ(symbol.high.y, 30.0f);
+    EXPECT_NEAR(symbol.high.y, 30.0f, 0.01f);
     EXPECT_FALSE(symbol.lines[1].is_closed);
 }
 
