@@ -15,7 +15,7 @@
 namespace ghost::gpu {
 namespace {
 
-std::unique_ptr<Device> own_device(DeviceOptions options = {}) {
+std::unique_ptr<Device> checked_device(DeviceOptions options = {}) {
     options.validation = true;
     return must(Device::create(options));
 }
@@ -23,10 +23,10 @@ std::unique_ptr<Device> own_device(DeviceOptions options = {}) {
 // How many pipelines a device has that follows one with a single pipeline.
 std::size_t pipelines_after(const DeviceOptions& first = {}, const DeviceOptions& second = {}) {
     {
-        const auto device = own_device(first);
+        const auto device = checked_device(first);
         (void)Program(*device, kNothing).handle();
     }
-    return own_device(second)->pipelines().count();
+    return checked_device(second)->pipelines().count();
 }
 
 TEST(KeptDevices, NothingIsKeptWhereNobodySaysSo) {
@@ -38,11 +38,11 @@ TEST(KeptDevices, TheNextDeviceHasThePipelines) {
     EXPECT_EQ(pipelines_after(), 1u);
     VkPipeline before = VK_NULL_HANDLE;
     {
-        const auto device = own_device();
+        const auto device = checked_device();
         before = Program(*device, kNothing).handle();
         device->work().dispatches = 5;
     }
-    const auto device = own_device({.memory_limit_bytes = 1 << 20});
+    const auto device = checked_device({.memory_limit_bytes = 1 << 20});
     EXPECT_EQ(Program(*device, kNothing).handle(), before);
     EXPECT_EQ(device->work().dispatches, 0u);
     EXPECT_EQ(device->memory().left_bytes(), 1u << 20);
@@ -53,10 +53,10 @@ TEST(KeptDevices, WhatIsStillToBeMadeIsMade) {
     const KeptDevices keeper;
     constexpr std::uint32_t kPrograms = 40;
     {
-        const auto device = own_device();
+        const auto device = checked_device();
         for (std::uint32_t k = 0; k < kPrograms; ++k) Program(*device, kNothing, std::vector{k});
     }
-    const auto device = own_device();
+    const auto device = checked_device();
     EXPECT_EQ(device->pipelines().count(), kPrograms);
     const std::uint64_t waited = device->pipelines().waited_for();
     (void)Program(*device, kNothing, std::vector{kPrograms - 1}).handle();
@@ -65,8 +65,8 @@ TEST(KeptDevices, WhatIsStillToBeMadeIsMade) {
 
 TEST(KeptDevices, TwoAtOnceShareNothing) {
     const KeptDevices keeper;
-    (void)own_device();
-    const auto one = own_device(), other = own_device();
+    (void)checked_device();
+    const auto one = checked_device(), other = checked_device();
     EXPECT_NE(one->handle(), other->handle());
 }
 
@@ -74,11 +74,11 @@ TEST(KeptDevices, AsManyAreKeptAsThereIsRoomFor) {
     const auto count_twice = [](std::size_t room) {
         const KeptDevices keeper(room);
         {
-            const auto one = own_device(), other = own_device();
+            const auto one = checked_device(), other = checked_device();
             (void)Program(*one, kNothing).handle();
             (void)Program(*other, kNothing).handle();
         }
-        const auto one = own_device(), other = own_device();
+        const auto one = checked_device(), other = checked_device();
         return one->pipelines().count() + other->pipelines().count();
     };
     EXPECT_EQ(count_twice(1), 1u);
@@ -88,8 +88,8 @@ TEST(KeptDevices, AsManyAreKeptAsThereIsRoomFor) {
 
 TEST(KeptDevices, ValidationSpeaksToTheNewOne) {
     const KeptDevices keeper;
-    (void)own_device();
-    const auto device = own_device();
+    (void)checked_device();
+    const auto device = checked_device();
     VkBufferCreateInfo nothing{};
     nothing.sType = VK_STRUCTURE_TYPE_BUFFER_CREATE_INFO; // of no bytes, for no use
     VkBuffer buffer = VK_NULL_HANDLE;
@@ -101,7 +101,7 @@ TEST(KeptDevices, ValidationSpeaksToTheNewOne) {
 TEST(KeptDevices, OneWithAnotherValidationIsAnother) {
     const KeptDevices keeper;
     {
-        const auto device = own_device();
+        const auto device = checked_device();
         (void)Program(*device, kNothing).handle();
     }
     EXPECT_EQ(must(Device::create({}))->pipelines().count(), 0u);
@@ -116,21 +116,21 @@ TEST(KeptDevices, OneThatKeepsStatisticsIsNeitherKeptNorTakenUp) {
 TEST(KeptDevices, ADeviceWhosePipelineFailedGoes) {
     const KeptDevices keeper;
     {
-        const auto device = own_device();
+        const auto device = checked_device();
         (void)device->pipelines().begin({}, {kNothing, {}, false, 0, {}},
                                         []() -> Pipeline { throw DeviceLost("gone"); });
     }
-    EXPECT_EQ(own_device()->pipelines().count(), 0u);
+    EXPECT_EQ(checked_device()->pipelines().count(), 0u);
 }
 
 TEST(KeptDevices, AnotherNameThatIsNoDeviceLeavesWhatIsKept) {
     const KeptDevices keeper;
     {
-        const auto device = own_device();
+        const auto device = checked_device();
         (void)Program(*device, kNothing).handle();
     }
     EXPECT_FALSE(Device::create({.name = "no such device", .validation = true}).ok());
-    EXPECT_EQ(own_device()->pipelines().count(), 1u);
+    EXPECT_EQ(checked_device()->pipelines().count(), 1u);
 }
 
 } // namespace
