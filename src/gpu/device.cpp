@@ -5,7 +5,6 @@
 #include "base/text.h"
 #include "gpu/device_failures.h"
 #include "gpu/device_memory.h"
-#include "gpu/kept_devices.h"
 #include "gpu/pipelines.h"
 #include "gpu/shader_folder.h"
 
@@ -14,7 +13,6 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
-#include <utility>
 
 namespace ghost::gpu {
 namespace {
@@ -69,28 +67,6 @@ int rank(VkPhysicalDeviceType type) {
     }
 }
 
-VkDebugUtilsMessengerEXT make_messenger(VkInstance instance, PFN_vkDebugUtilsMessengerCallbackEXT callback,
-                                        void* user) {
-    VkDebugUtilsMessengerCreateInfoEXT info{};
-    info.sType = VK_STRUCTURE_TYPE_DEBUG_UTILS_MESSENGER_CREATE_INFO_EXT;
-    info.messageSeverity = VK_DEBUG_UTILS_MESSAGE_SEVERITY_ERROR_BIT_EXT;
-    info.messageType = VK_DEBUG_UTILS_MESSAGE_TYPE_VALIDATION_BIT_EXT;
-    info.pfnUserCallback = callback;
-    info.pUserData = user;
-    const auto create = reinterpret_cast<PFN_vkCreateDebugUtilsMessengerEXT>(
-        vkGetInstanceProcAddr(instance, "vkCreateDebugUtilsMessengerEXT"));
-    VkDebugUtilsMessengerEXT messenger = VK_NULL_HANDLE;
-    VK_CALL(create(instance, &info, nullptr, &messenger));
-    return messenger;
-}
-
-void drop_messenger(VkInstance instance, VkDebugUtilsMessengerEXT messenger) {
-    if (messenger == VK_NULL_HANDLE) return;
-    const auto destroy = reinterpret_cast<PFN_vkDestroyDebugUtilsMessengerEXT>(
-        vkGetInstanceProcAddr(instance, "vkDestroyDebugUtilsMessengerEXT"));
-    destroy(instance, messenger, nullptr);
-}
-
 } // namespace
 
 void vulkan_failed(const char* call, const char* file, int line, VkResult result) {
@@ -117,32 +93,9 @@ VKAPI_ATTR VkBool32 VKAPI_CALL Device::on_validation(VkDebugUtilsMessageSeverity
 
 Result<std::unique_ptr<Device>> Device::create(const DeviceOptions& options) {
     std::unique_ptr<Device> device(new Device);
-    std::optional<DriverDevice> kept;
-    if (options.shaders.empty() && !options.pipeline_statistics) kept = take_kept(options.validation);
-    if (kept) {
-        device->instance_ = std::exchange(kept->instance, VK_NULL_HANDLE);
-        device->physical_ = kept->physical;
-        device->device_ = std::exchange(kept->device, VK_NULL_HANDLE);
-        device->queue_family_ = kept->queue_family;
-        device->pipelines_ = std::move(kept->pipelines);
-    } else {
-        TRY_VOID(device->make_instance(options.validation));
-    }
-    if (options.validation)
-        device->messenger_ = make_messenger(device->instance_, &Device::on_validation, device.get());
+    TRY_VOID(device->make_instance(options.validation));
     TRY_VOID(device->choose_physical(options));
-    if (kept && device->physical_ != kept->physical) {
-        device->pipelines_->stop();
-        device->pipelines_.reset();
-        vkDestroyDevice(std::exchange(device->device_, VK_NULL_HANDLE), nullptr);
-    }
-    if (device->device_ == VK_NULL_HANDLE) device->make_device(options);
-    vkGetDeviceQueue(device->device_, device->queue_family_, 0, &device->queue_);
-    device->push_descriptors_ = reinterpret_cast<PFN_vkCmdPushDescriptorSetKHR>(
-        vkGetDeviceProcAddr(device->device_, "vkCmdPushDescriptorSetKHR"));
-    device->memory_ =
-        std::make_unique<DeviceMemory>(*device, options.memory_limit_bytes,
-                                       has_extension(device->physical_, VK_EXT_MEMORY_BUDGET_EXTENSION_NAME));
+    device->make_device(options);
     if (!options.shaders.empty()) device->shaders_ = std::make_unique<ShaderFolder>(options.shaders);
     return device;
 }
@@ -193,6 +146,17 @@ Result<void> Device::make_instance(bool validation) {
     if (vkCreateInstance(&info, nullptr, &instance_) != VK_SUCCESS)
         return Error{"no Vulkan driver found; Mesa's software driver is Debian's package mesa-vulkan-drivers",
                      ""};
+    if (validation) {
+        VkDebugUtilsMessengerCreateInfoEXT messenger{};
+        messenger.sType = VK_STRUCTURE_TYPE_DEBUG_UTILS_MESSENGER_CREATE_INFO_EXT;
+        messenger.messageSeverity = VK_DEBUG_UTILS_MESSAGE_SEVERITY_ERROR_BIT_EXT;
+        messenger.messageType = VK_DEBUG_UTILS_MESSAGE_TYPE_VALIDATION_BIT_EXT;
+        messenger.pfnUserCallback = &Device::on_validation;
+        messenger.pUserData = this;
+        const auto create = reinterpret_cast<PFN_vkCreateDebugUtilsMessengerEXT>(
+            vkGetInstanceProcAddr(instance_, "vkCreateDebugUtilsMessengerEXT"));
+        VK_CALL(create(instance_, &messenger, nullptr, &messenger_));
+    }
     return {};
 }
 
@@ -283,29 +247,28 @@ void Device::make_device(const DeviceOptions& options) {
     info.enabledExtensionCount = static_cast<std::uint32_t>(extensions.size());
     info.ppEnabledExtensionNames = extensions.data();
     VK_CALL(vkCreateDevice(physical_, &info, nullptr, &device_));
+    vkGetDeviceQueue(device_, queue_family_, 0, &queue_);
     pipelines_ = std::make_unique<Pipelines>(device_, keeps_pipeline_statistics_);
+    push_descriptors_ = reinterpret_cast<PFN_vkCmdPushDescriptorSetKHR>(
+        vkGetDeviceProcAddr(device_, "vkCmdPushDescriptorSetKHR"));
+    memory_ = std::make_unique<DeviceMemory>(*this, options.memory_limit_bytes,
+                                             has_extension(physical_, VK_EXT_MEMORY_BUDGET_EXTENSION_NAME));
 }
 
 Device::Device() = default;
 
 Device::~Device() {
-    // Those that are still to be made ask this object.
-    bool stays = pipelines_ && !shaders_ && !keeps_pipeline_statistics_ && are_devices_kept();
-    stays = stays && are_all_made(*pipelines_);
-    if (pipelines_ && !stays) pipelines_->stop();
-    DriverDevice driver;
-    driver.instance = instance_;
-    driver.physical = physical_;
-    driver.device = device_;
-    driver.queue_family = queue_family_;
-    driver.validation = messenger_ != VK_NULL_HANDLE;
-    driver.pipelines = std::move(pipelines_);
-    if (stays) {
-        drop_messenger(instance_, std::exchange(messenger_, VK_NULL_HANDLE)); // it speaks to this one
-        if (keep(driver)) return;
+    if (device_ != VK_NULL_HANDLE) {
+        if (pipelines_) pipelines_->stop();
+        pipelines_.reset(); // whoever gave it work waited for that (Commands)
+        vkDestroyDevice(device_, nullptr);
     }
-    driver.drop_device();
-    drop_messenger(instance_, messenger_);
+    if (messenger_ != VK_NULL_HANDLE) {
+        const auto destroy = reinterpret_cast<PFN_vkDestroyDebugUtilsMessengerEXT>(
+            vkGetInstanceProcAddr(instance_, "vkDestroyDebugUtilsMessengerEXT"));
+        destroy(instance_, messenger_, nullptr);
+    }
+    if (instance_ != VK_NULL_HANDLE) vkDestroyInstance(instance_, nullptr);
 }
 
 } // namespace ghost::gpu

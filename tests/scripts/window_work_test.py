@@ -145,10 +145,6 @@ class AtWork(unittest.TestCase):
             self.assertEqual(window.close(), 0)
 
     def test_bake_and_baked_picture(self):
-        toml = self.show / "show.toml"
-        text = toml.read_text(encoding="utf-8")
-        self.assertIn("\nsize = [1024, 300]\n", text)
-        toml.write_text(text.replace("\nsize = [1024, 300]\n", "\nsize = [512, 150]\n"), encoding="utf-8")
         window = self.open()
         try:
             window.do("camera house", "wait settled", "resolution 0")
@@ -168,7 +164,7 @@ class AtWork(unittest.TestCase):
             window.do("jump 36", "wait 0.2", "freeze on")  # the show went on meanwhile, perhaps into the dark
             state = window.until(lambda state: state["picture"]["baked"])
             self.assertIn("baked: house", state["picture"]["supply"])
-            self.assertEqual(state["picture"]["camera"]["width"], 512)
+            self.assertEqual(state["picture"]["camera"]["width"], 1024)
             window.do("wait settled")
             window.shoot("baked.png")
             baked = window.picture("baked")

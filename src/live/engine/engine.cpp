@@ -4,7 +4,6 @@
 #include "base/interrupt.h"
 #include "gpu/device_failures.h"
 #include "gpu/device_memory.h"
-#include "gpu/kept_devices.h"
 #include "live/session/take_patch.h"
 
 #include "base/log.h"
@@ -35,7 +34,6 @@ Engine::~Engine() {
 }
 
 void Engine::run() {
-    const gpu::KeptDevices pipelines_stay; // when an edit opens the show anew
     try {
         begin_inputs();
         while (!stop_ && !interrupted()) {

@@ -3,7 +3,6 @@
 #include "cli/render/film_controls.h"
 
 #include "support/demo_copy.h"
-#include "support/kept_devices.h"
 #include "support/must.h"
 
 #include <gtest/gtest.h>

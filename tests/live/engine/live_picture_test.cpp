@@ -3,7 +3,6 @@
 #include "live/engine/live_picture.h"
 
 #include "support/demo_copy.h"
-#include "support/kept_devices.h"
 #include "support/must.h"
 
 #include <gtest/gtest.h>

@@ -6,7 +6,6 @@
 #include "light/illuminance.h"
 #include "shared/develop.h"
 #include "support/demo_copy.h"
-#include "support/kept_devices.h"
 #include "support/must.h"
 
 #include <gtest/gtest.h>

@@ -4,7 +4,6 @@
 // and a message that names the object.
 #include "live/session/session.h"
 
-#include "support/kept_devices.h"
 #include "support/tiny_gdtf.h"
 #include "support/tiny_glb.h"
 

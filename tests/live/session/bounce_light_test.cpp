@@ -8,7 +8,6 @@
 #include "live/session/applied_look.h"
 #include "shared/develop.h"
 #include "support/demo_copy.h"
-#include "support/kept_devices.h"
 #include "support/must.h"
 
 #include <gtest/gtest.h>

@@ -6,7 +6,6 @@
 #include "image/ldr.h"
 #include "live/session/session.h"
 #include "support/demo_copy.h"
-#include "support/kept_devices.h"
 #include "support/likeness.h"
 #include "support/must.h"
 

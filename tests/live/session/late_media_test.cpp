@@ -2,8 +2,6 @@
 // A film that decodes slower than it is asked for holds no picture up: neither on an LED wall nor from a
 // projector. The picture before it stays, and the right one comes.
 #include "live/session/session.h"
-
-#include "support/kept_devices.h"
 #include "video/files/film.h"
 
 #include <gtest/gtest.h>

@@ -4,7 +4,6 @@
 
 #include "live/engine/engine.h"
 #include "support/demo_copy.h"
-#include "support/kept_devices.h"
 
 #include <gtest/gtest.h>
 

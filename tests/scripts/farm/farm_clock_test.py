@@ -13,7 +13,7 @@ import tempfile
 SOURCE, BUILD = pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2])
 sys.path.insert(0, str(SOURCE / "tests/scripts/lib"))
 import needs  # noqa: E402  (the folder is known only now)
-from farm import Ghostlight, SHORT_FILM, files_of, plan_of, small_show, wait_until  # noqa: E402
+from farm import FILM, Ghostlight, files_of, plan_of, small_show, wait_until  # noqa: E402
 from slurm import Cluster  # noqa: E402
 
 needs.packages("faketime")
@@ -32,7 +32,7 @@ def a_node_of_slurm(ghost, cluster, show, whole):
     skewed.write_text(configuration.replace("munge.socket", "ahead.socket"))
     cluster.start_munge("ahead", **clock("+1h"))
     cluster.start_node("n2", **clock("+1h"), SLURM_CONF=str(skewed))
-    ghost.run("render", show, "-o", "ahead.mp4", *SHORT_FILM, "--farm", "slurm")
+    ghost.run("render", show, "-o", "ahead.mp4", *FILM, "--farm", "slurm")
     assert whole == (ghost.folder / "ahead.mp4").read_bytes()
     hosts = {path.read_text().split('"host":"')[1][:2] for path in (plan_of(show) / "done").glob("[0-9]*.json")}
     log = (cluster.folder / "log/slurmctld.log").read_text() + (cluster.folder / "log/slurmd.n2.log").read_text()
@@ -55,9 +55,9 @@ def programs(ghost, show, whole, baked):
     planner = {"PATH": str(ghost.folder / "nowhere")}
     late = Ghostlight(ghost.program, {**ghost.environment, **planner, **ahead}, ghost.folder)
     right = Ghostlight(ghost.program, {**ghost.environment, **planner}, ghost.folder)
-    late.run("render", show, "-o", "first.mp4", *SHORT_FILM, "--farm", "slurm", code=1, says="Slurm is not here")
+    late.run("render", show, "-o", "first.mp4", *FILM, "--farm", "slurm", code=1, says="Slurm is not here")
     os.utime(plan_of(show) / "plan.json", (2e9, 2e9))  # as it is where the disk takes the time of who writes
-    right.run("render", show, "-o", "second.mp4", *SHORT_FILM, "--farm", "slurm", code=1, says="Slurm is not here")
+    right.run("render", show, "-o", "second.mp4", *FILM, "--farm", "slurm", code=1, says="Slurm is not here")
     right.run("farm", "status", show, code=1, says="second.mp4: 0 of 4 tasks done")
     tasks_in_turn(ghost, plan_of(show), [ahead, behind, {}])
     assert whole == (ghost.folder / "second.mp4").read_bytes()
@@ -77,7 +77,7 @@ try:
     show = small_show(SOURCE, work / "show")
     ghost.run("bake", show, "--view", "house", "--spp", "4")
     baked = files_of(show / ".ghost/passes")
-    ghost.run("render", show, "-o", "whole.mp4", *SHORT_FILM)
+    ghost.run("render", show, "-o", "whole.mp4", *FILM)
     whole = (work / "whole.mp4").read_bytes()
     programs(ghost, show, whole, baked)
     a_node_of_slurm(ghost, cluster, show, whole)

@@ -12,7 +12,7 @@ import tempfile
 
 SOURCE, BUILD = pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2])
 sys.path.insert(0, str(SOURCE / "tests/scripts/lib"))
-from farm import Ghostlight, SHORT_FILM, files_of, numbered, plan_of, small_show  # noqa: E402  (the folder is known only now)
+from farm import FILM, Ghostlight, files_of, numbered, plan_of, small_show  # noqa: E402  (the folder is known only now)
 
 work = pathlib.Path(tempfile.mkdtemp(prefix="ghost-farm-"))
 ghost = Ghostlight(BUILD / "ghostlight", dict(os.environ), work)
@@ -33,27 +33,27 @@ def bakes():
 
 
 def films(show):
-    ghost.run("render", show, "-o", "whole.png", *SHORT_FILM)
-    ghost.run("render", show, "-o", "whole.mp4", *SHORT_FILM)
+    ghost.run("render", show, "-o", "whole.png", *FILM)
+    ghost.run("render", show, "-o", "whole.mp4", *FILM)
     whole = numbered(work, "whole")
-    assert len(whole) == 270, len(whole)
+    assert len(whole) == 480, len(whole)
     # A part, numbered as in the film from its first second on.
-    ghost.run("render", show, "-o", "part.png", *SHORT_FILM, "--frames", "480-490")
-    assert (work / "part-00480.png").exists() and numbered(work, "part") == whole[255:266]
-    ghost.run("render", show, "-o", "cut.png", *SHORT_FILM, "--farm", "local", "--farm-jobs", "2", says="4 tasks")
+    ghost.run("render", show, "-o", "part.png", *FILM, "--frames", "480-500")
+    assert (work / "part-00480.png").exists() and numbered(work, "part") == whole[300:321]
+    ghost.run("render", show, "-o", "cut.png", *FILM, "--farm", "local", "--farm-jobs", "2", says="4 tasks")
     assert numbered(work, "cut") == whole
-    ghost.run("render", show, "-o", "cut.mp4", *SHORT_FILM, "--farm", "local")
+    ghost.run("render", show, "-o", "cut.mp4", *FILM, "--farm", "local")
     assert (work / "cut.mp4").read_bytes() == (work / "whole.mp4").read_bytes()
     plan = plan_of(show)
     assert not list((plan / "frames").iterdir())
-    ghost.run("render", show, "-o", "cut.mp4", *SHORT_FILM, "--farm", "local", says="is done already")
+    ghost.run("render", show, "-o", "cut.mp4", *FILM, "--farm", "local", says="is done already")
     ghost.run("farm", "status", show, says="4 of 4 tasks done, all put together")
     assert ghost.run("farm", "tasks", show) == ""
     (work / "cut.mp4").unlink()  # then it is to be made again
     ghost.run("farm", "status", show, code=1)
     ghost.run("farm", "retry", show)
     assert (work / "cut.mp4").read_bytes() == (work / "whole.mp4").read_bytes()
-    print("a film of 4 tasks: 270 pictures and the film, the same bytes")
+    print("a film of 4 tasks: 480 pictures and the film, the same bytes")
 
 
 def free_cameras(show):
@@ -68,7 +68,7 @@ def free_cameras(show):
 
 def tasks_by_hand(show):
     """As GNU parallel does, on an engine that is none; with what may go wrong in between."""
-    words = ["render", show, "-o", "hand.mp4", *SHORT_FILM]
+    words = ["render", show, "-o", "hand.mp4", *FILM]
     first = ghost.start(*words, "--farm", "local")
     second = ghost.start(*words, "--farm", "local")
     said = first.communicate()[0], second.communicate()[0]
@@ -102,7 +102,7 @@ def tasks_by_hand(show):
 
 def baked_anew(show):
     """In the middle of a film, with other samples."""
-    words = ["render", show, "-o", "anew.mp4", *SHORT_FILM, "--farm"]
+    words = ["render", show, "-o", "anew.mp4", *FILM, "--farm"]
     bare = Ghostlight(ghost.program, {**ghost.environment, "PATH": str(work / "fresh")}, work)
     bare.run(*words, "slurm", code=1, says="Slurm is not here")  # planned only
     plan = plan_of(show)
@@ -112,7 +112,7 @@ def baked_anew(show):
     ghost.run("farm", "run", plan, "2", code=1, says="camera 'house' was baked anew since the film was begun")
     assert not list((plan / "frames").glob("2.*"))
     ghost.run("farm", "assemble", plan, code=1, says="2 of 4 tasks are missing")
-    ghost.run("render", show, "-o", "other.mp4", *SHORT_FILM)
+    ghost.run("render", show, "-o", "other.mp4", *FILM)
     for _ in range(2):
         said = ghost.run(*words, "local")
         assert (work / "anew.mp4").read_bytes() == (work / "other.mp4").read_bytes() != (work / "whole.mp4").read_bytes()
@@ -160,13 +160,13 @@ def what_cannot_be(show):
         assert (theirs / "7.txt").read_text() == "a letter", "removed behind a link"
         (plan / name).unlink()
         (work / "aside").rename(plan / name)
-    for words in (["--at", "6"], ["--from", "6"], ["--live-input", "--seconds", "1"], [*SHORT_FILM, "--hold-fps", "10", "--live"]):
+    for words in (["--at", "6"], ["--from", "6"], ["--live-input", "--seconds", "1"], [*FILM, "--hold-fps", "10", "--live"]):
         ghost.run("render", show, "-o", "no.png", *words, "--farm", "local", code=2, says="--farm: a farm draws a film")
-    ghost.run("render", show, "-o", "no.png", *SHORT_FILM, "--frames", "0-100", code=1, says="the film has the frames 225 to 494")
-    ghost.run("render", show, "-o", "no.png", *SHORT_FILM, "--frames", "9-x", code=2, says="--frames")
+    ghost.run("render", show, "-o", "no.png", *FILM, "--frames", "0-100", code=1, says="the film has the frames 180 to 659")
+    ghost.run("render", show, "-o", "no.png", *FILM, "--frames", "9-x", code=2, says="--frames")
     ghost.run("bake", show, "--view", "house", "--lights", "0-7", "--spp", "3", code=1, says="surroundings of camera 'house' are not baked")
     bare = Ghostlight(ghost.program, {**ghost.environment, "PATH": str(work / "fresh")}, work)
-    bare.run("render", show, "-o", "no.mp4", *SHORT_FILM, "--farm", "slurm", code=1, says="Slurm is not here")
+    bare.run("render", show, "-o", "no.mp4", *FILM, "--farm", "slurm", code=1, says="Slurm is not here")
     (plan / "plan.json").write_text('{"version": 1, "words": 7}')
     ghost.run("farm", "run", plan, "1", code=1, says="is no plan")
     (show / ".ghost/farm/newest").write_text("../../elsewhere")

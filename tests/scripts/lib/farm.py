@@ -6,8 +6,6 @@ import shutil
 import subprocess
 
 FILM = ["--view", "house", "--from", "6", "--to", "22"]  # frames 180 to 659: cut at 240 and 480
-# Frames 225 to 494, cut at the same two: for tests that need not come between the tasks.
-SHORT_FILM = ["--view", "house", "--from", "7.5", "--to", "16.5"]
 
 
 def small_show(source, folder):
