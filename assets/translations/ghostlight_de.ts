@@ -389,31 +389,31 @@
     </message>
     <message>
         <source>Fly the chosen truss on two hoists</source>
-        <translation type="unfinished"></translation>
+        <translation>Gewählte Traverse an zwei Züge hängen</translation>
     </message>
     <message>
         <source>Drive its mover on: 0.1 m up, 5 degrees</source>
-        <translation type="unfinished"></translation>
+        <translation>Bewegtes Teil weiterfahren: 0,1 m hoch, 5 Grad</translation>
     </message>
     <message>
         <source>Drive its mover back: 0.1 m down, 5 degrees</source>
-        <translation type="unfinished"></translation>
+        <translation>Bewegtes Teil zurückfahren: 0,1 m runter, 5 Grad</translation>
     </message>
     <message>
         <source>Heads and movers go as machines do</source>
-        <translation type="unfinished"></translation>
+        <translation>Geräte und bewegte Teile fahren so träge wie Maschinen</translation>
     </message>
     <message>
         <source>Paperwork...</source>
-        <translation type="unfinished"></translation>
+        <translation>Unterlagen ...</translation>
     </message>
     <message>
         <source>Cue book...</source>
-        <translation type="unfinished"></translation>
+        <translation>Cue-Buch ...</translation>
     </message>
     <message>
         <source>Movers: their ways, end stops and where they go</source>
-        <translation type="unfinished"></translation>
+        <translation>Bewegte Teile: Wege, Endanschläge und wohin sie fahren</translation>
     </message>
 </context>
 <context>
@@ -1493,11 +1493,11 @@
     </message>
     <message>
         <source>Cue book %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Cue-Buch %1</translation>
     </message>
     <message>
         <source>Paperwork %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Unterlagen %1</translation>
     </message>
 </context>
 <context>
@@ -1785,31 +1785,31 @@
     </message>
     <message>
         <source>As machines go</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie die Maschinen fahren</translation>
     </message>
     <message>
         <source>Within speed and acceleration of each; else at once where they are asked to be</source>
-        <translation type="unfinished"></translation>
+        <translation>Mit Geschwindigkeit und Beschleunigung jeder Maschine; sonst sofort dort, wo sie sein sollen</translation>
     </message>
     <message>
         <source>no address</source>
-        <translation type="unfinished">keine Adresse</translation>
+        <translation>keine Adresse</translation>
     </message>
     <message>
         <source>Address of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Adresse von %1</translation>
     </message>
     <message>
         <source>Universe.address of its first axis, 16 bits each; the others follow. Return sets it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Universum.Adresse der ersten Achse, je 16 Bit; die anderen folgen. Eingabe setzt sie.</translation>
     </message>
     <message>
         <source>%1 %2 deg of %3 to %4</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 %2° von %3 bis %4</translation>
     </message>
     <message>
         <source>%1 %2 m of %3 to %4</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 %2 m von %3 bis %4</translation>
     </message>
 </context>
 <context>
@@ -2600,163 +2600,163 @@
     <name>Print</name>
     <message>
         <source>Paperwork</source>
-        <translation type="unfinished"></translation>
+        <translation>Unterlagen</translation>
     </message>
     <message>
         <source>Cue book</source>
-        <translation type="unfinished"></translation>
+        <translation>Cue-Buch</translation>
     </message>
     <message>
         <source>Folder to make</source>
-        <translation type="unfinished"></translation>
+        <translation>Ordner, der entsteht</translation>
     </message>
     <message>
         <source>Choose...</source>
-        <translation type="unfinished"></translation>
+        <translation>Wählen ...</translation>
     </message>
     <message>
         <source>Choose the folder</source>
-        <translation type="unfinished"></translation>
+        <translation>Ordner wählen</translation>
     </message>
     <message>
         <source>A folder to make</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Ordner, der entsteht</translation>
     </message>
     <message>
         <source>Folder</source>
-        <translation type="unfinished"></translation>
+        <translation>Ordner</translation>
     </message>
     <message>
         <source>All tables as PDF</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle Tabellen als PDF</translation>
     </message>
     <message>
         <source>As PDF</source>
-        <translation type="unfinished"></translation>
+        <translation>Als PDF</translation>
     </message>
     <message>
         <source>Page</source>
-        <translation type="unfinished"></translation>
+        <translation>Papier</translation>
     </message>
     <message>
         <source>Progress</source>
-        <translation type="unfinished"></translation>
+        <translation>Fortschritt</translation>
     </message>
     <message>
         <source>Make</source>
-        <translation type="unfinished"></translation>
+        <translation>Erstellen</translation>
     </message>
     <message>
         <source>Cancel</source>
-        <translation type="unfinished">Abbrechen</translation>
+        <translation>Abbrechen</translation>
     </message>
     <message>
         <source>Open in the browser</source>
-        <translation type="unfinished"></translation>
+        <translation>Im Browser öffnen</translation>
     </message>
     <message>
         <source>Plan and section</source>
-        <translation type="unfinished"></translation>
+        <translation>Grundriss und Schnitt</translation>
     </message>
     <message>
         <source>Focus charts</source>
-        <translation type="unfinished"></translation>
+        <translation>Einleuchtplan</translation>
     </message>
     <message>
         <source>Scale</source>
-        <translation type="unfinished"></translation>
+        <translation>Maßstab</translation>
     </message>
     <message>
         <source>Largest that fits</source>
-        <translation type="unfinished"></translation>
+        <translation>Größter, der passt</translation>
     </message>
     <message>
         <source>Sheet of the plan</source>
-        <translation type="unfinished"></translation>
+        <translation>Blatt des Grundrisses</translation>
     </message>
     <message>
         <source>As the page asks</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie das Papier</translation>
     </message>
     <message>
         <source>Language</source>
-        <translation type="unfinished">Sprache</translation>
+        <translation>Sprache</translation>
     </message>
     <message>
         <source>Units</source>
-        <translation type="unfinished"></translation>
+        <translation>Einheiten</translation>
     </message>
     <message>
         <source>Metres, kilograms</source>
-        <translation type="unfinished"></translation>
+        <translation>Meter, Kilogramm</translation>
     </message>
     <message>
         <source>Feet, pounds</source>
-        <translation type="unfinished"></translation>
+        <translation>Fuß, Pfund</translation>
     </message>
     <message>
         <source>Sheet</source>
-        <translation type="unfinished"></translation>
+        <translation>Blatt</translation>
     </message>
     <message>
         <source>Entries</source>
-        <translation type="unfinished"></translation>
+        <translation>Einträge</translation>
     </message>
     <message>
         <source>Cues, else looks</source>
-        <translation type="unfinished"></translation>
+        <translation>Cues, sonst Looks</translation>
     </message>
     <message>
         <source>Cues</source>
-        <translation type="unfinished">Cues</translation>
+        <translation>Cues</translation>
     </message>
     <message>
         <source>Looks</source>
-        <translation type="unfinished">Looks</translation>
+        <translation>Looks</translation>
     </message>
     <message>
         <source>Where the recording rests</source>
-        <translation type="unfinished"></translation>
+        <translation>Wo die Aufzeichnung ruht</translation>
     </message>
     <message>
         <source>Camera</source>
-        <translation type="unfinished">Kamera</translation>
+        <translation>Kamera</translation>
     </message>
     <message>
         <source>Size of pictures</source>
-        <translation type="unfinished">Größe der Bilder</translation>
+        <translation>Größe der Bilder</translation>
     </message>
     <message>
         <source>An older show, plot or book to compare with</source>
-        <translation type="unfinished"></translation>
+        <translation>Ältere Show, älterer Plan oder älteres Cue-Buch zum Vergleich</translation>
     </message>
     <message>
         <source>an older show, plot or book</source>
-        <translation type="unfinished"></translation>
+        <translation>ältere Show, älterer Plan oder älteres Cue-Buch</translation>
     </message>
     <message>
         <source>Pictures</source>
-        <translation type="unfinished">Bilder</translation>
+        <translation>Bilder</translation>
     </message>
     <message>
         <source>Compare with</source>
-        <translation type="unfinished"></translation>
+        <translation>Vergleichen mit</translation>
     </message>
     <message>
         <source>Pictures of the book</source>
-        <translation type="unfinished"></translation>
+        <translation>Bilder des Cue-Buchs</translation>
     </message>
     <message>
         <source>Table to look at</source>
-        <translation type="unfinished"></translation>
+        <translation>Tabelle zur Ansicht</translation>
     </message>
     <message>
         <source>Preview of the table</source>
-        <translation type="unfinished"></translation>
+        <translation>Vorschau der Tabelle</translation>
     </message>
     <message>
         <source>The first camera</source>
-        <translation type="unfinished"></translation>
+        <translation>Die erste Kamera</translation>
     </message>
 </context>
 <context>
@@ -2888,74 +2888,81 @@
     <name>RDM</name>
     <message>
         <source>identifies itself</source>
-        <translation type="unfinished"></translation>
+        <translation>zeigt sich</translation>
     </message>
     <message>
         <source>is spoken to</source>
-        <translation type="unfinished"></translation>
+        <translation>wird angesprochen</translation>
     </message>
     <message>
         <source>is found</source>
-        <translation type="unfinished"></translation>
+        <translation>ist gefunden</translation>
     </message>
     <message>
         <source>waits</source>
-        <translation type="unfinished">wartet</translation>
+        <translation>wartet</translation>
     </message>
     <message>
         <source>, %1 not understood</source>
-        <translation type="unfinished">, %1 nicht verstanden</translation>
+        <translation>, %1 nicht verstanden</translation>
     </message>
     <message>
         <source>, %1 refused</source>
-        <translation type="unfinished"></translation>
+        <translation>, %1 abgelehnt</translation>
     </message>
     <message>
         <source>%1 more</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 weitere</translation>
     </message>
     <message numerus="yes">
         <source>; %1 identify themselves</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>; %1 zeigt sich</numerusform>
+            <numerusform>; %1 zeigen sich</numerusform>
         </translation>
     </message>
     <message>
         <source>off</source>
-        <translation type="unfinished">aus</translation>
+        <translation>aus</translation>
     </message>
     <message>
         <source>desks find and read</source>
-        <translation type="unfinished"></translation>
+        <translation>Pulte finden und lesen</translation>
     </message>
     <message>
         <source>desks also set address, mode and name</source>
-        <translation type="unfinished"></translation>
+        <translation>Pulte setzen auch Adresse, Modus und Namen</translation>
     </message>
     <message>
         <source>Whether desks find the fixtures by RDM over Art-Net. What a desk sets is an edit of the show, which can be undone.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ob Pulte die Geräte per RDM über Art-Net finden. Was ein Pult setzt, ist eine Änderung der Show und lässt sich rückgängig machen.</translation>
     </message>
     <message>
         <source>Fixtures as RDM devices</source>
-        <translation type="unfinished"></translation>
+        <translation>Geräte als RDM-Geräte</translation>
     </message>
     <message>
         <source>Fixture</source>
-        <translation type="unfinished"></translation>
+        <translation>Gerät</translation>
     </message>
     <message>
         <source>Address</source>
-        <translation type="unfinished">Adresse</translation>
+        <translation>Adresse</translation>
     </message>
     <message>
         <source>Mode</source>
-        <translation type="unfinished">Modus</translation>
+        <translation>Modus</translation>
     </message>
     <message>
         <source>Is</source>
-        <translation type="unfinished">Ist</translation>
+        <translation>Ist</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 of %2 fixtures were found by a desk, %n message(s)</source>
+        <translation>
+            <numerusform>%1 von %2 Geräten hat ein Pult gefunden, %n Nachricht</numerusform>
+            <numerusform>%1 von %2 Geräten hat ein Pult gefunden, %n Nachrichten</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -3042,11 +3049,11 @@
     </message>
     <message>
         <source>Fly it on two hoists</source>
-        <translation type="unfinished"></translation>
+        <translation>An zwei Züge hängen</translation>
     </message>
     <message>
         <source>The truss with all its pieces and the fixtures under it; Movers above then drive it</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Traverse mit allen ihren Teilen und den Geräten darunter; gefahren wird sie dann oben unter Bewegte Teile</translation>
     </message>
 </context>
 <context>
@@ -4909,43 +4916,59 @@
     </message>
     <message>
         <source>it needs the name of a folder</source>
-        <translation type="unfinished"></translation>
+        <translation>es braucht den Namen eines Ordners</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is none of 8, 16 and 24 bits</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%1&apos; ist nicht 8, 16 oder 24 Bit</translation>
     </message>
     <message>
         <source>does not lie like a truss or a pipe, so no hoists hold it</source>
-        <translation type="unfinished"></translation>
+        <translation>liegt nicht wie eine Traverse oder ein Rohr, also hängt es an keinen Zügen</translation>
     </message>
     <message>
         <source>goes with mover &apos;%1&apos; already</source>
-        <translation type="unfinished"></translation>
+        <translation>fährt schon mit dem bewegten Teil &apos;%1&apos;</translation>
     </message>
     <message>
         <source>is the name of another mover</source>
-        <translation type="unfinished"></translation>
+        <translation>so heißt schon ein anderes bewegtes Teil</translation>
     </message>
     <message>
         <source>nothing that a mover carries is selected: click a lamp on it, or double click it</source>
-        <translation type="unfinished"></translation>
+        <translation>nichts ist ausgewählt, was ein bewegtes Teil trägt: ein Gerät darauf anklicken oder das Teil doppelklicken</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is neither commanded nor machine</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%1&apos; ist weder commanded noch machine</translation>
     </message>
     <message>
         <source>there is no such fixture any more</source>
-        <translation type="unfinished"></translation>
+        <translation>dieses Gerät gibt es nicht mehr</translation>
     </message>
     <message>
         <source>the fixture has no such mode any more</source>
-        <translation type="unfinished"></translation>
+        <translation>diesen Modus hat das Gerät nicht mehr</translation>
     </message>
     <message>
         <source>&apos;%1&apos;, expected off, read or edit</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%1&apos;, erwartet off, read oder edit</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; would end at channel %2 of its universe, expected at most 512</source>
+        <translation>&apos;%1&apos; würde auf Kanal %2 seines Universums enden, erwartet höchstens 512</translation>
+    </message>
+    <message>
+        <source>has no [[mover]] &apos;%1&apos;</source>
+        <translation>hat kein [[mover]] &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>has an axis of &apos;%1&apos; that cannot be read; mend it there first</source>
+        <translation>hat eine Achse von &apos;%1&apos;, die nicht lesbar ist; zuerst dort richten</translation>
+    </message>
+    <message>
+        <source>has an axis of &apos;%1&apos; that is no table</source>
+        <translation>hat eine Achse von &apos;%1&apos;, die keine Tabelle ist</translation>
     </message>
 </context>
 <context>
@@ -5260,15 +5283,15 @@
     </message>
     <message>
         <source>Address of &apos;%1&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>Adresse von &apos;%1&apos;</translation>
     </message>
     <message>
         <source>Fly &apos;%1&apos; on hoists</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%1&apos; an Züge hängen</translation>
     </message>
     <message>
         <source> of %1 by RDM</source>
-        <translation type="unfinished"></translation>
+        <translation> von %1 per RDM</translation>
     </message>
 </context>
 <context>

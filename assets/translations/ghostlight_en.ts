@@ -134,9 +134,16 @@
     <name>RDM</name>
     <message numerus="yes">
         <source>; %1 identify themselves</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>; %1 identifies itself</numerusform>
+            <numerusform>; %1 identify themselves</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 of %2 fixtures were found by a desk, %n message(s)</source>
+        <translation>
+            <numerusform>%1 of %2 fixtures were found by a desk, %n message</numerusform>
+            <numerusform>%1 of %2 fixtures were found by a desk, %n messages</numerusform>
         </translation>
     </message>
 </context>

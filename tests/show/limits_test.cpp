@@ -6,18 +6,19 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 
 namespace ghost::scene {
 namespace {
 
-std::string said(const Report& report) {
+std::string all_said(const Report& report) {
     std::string text;
     for (const Message& message : report.messages) text += message.what + "\n";
     return text.substr(0, 2000);
 }
 
-bool mentions(const Report& report, const std::string& words) {
+bool has_said(const Report& report, const std::string& words) {
     return std::any_of(report.messages.begin(), report.messages.end(),
                        [&](const Message& message) { return message.what.find(words) != std::string::npos; });
 }
@@ -76,8 +77,8 @@ TEST(ShowLimits, TablesOfAKind) {
         };
         const std::string words = "has more than " + std::to_string(row.most) + " entries";
         const Report kept = read(row.most), over = read(row.most + 1);
-        EXPECT_FALSE(mentions(kept, words)) << row.entry;
-        EXPECT_TRUE(mentions(over, words)) << row.entry << said(over);
+        EXPECT_FALSE(has_said(kept, words)) << row.entry;
+        EXPECT_TRUE(has_said(over, words)) << row.entry << all_said(over);
     }
 }
 
@@ -121,8 +122,8 @@ TEST(ShowLimits, ListsAndTexts) {
     for (const Row& row : rows) {
         const Report kept = row.is_look ? of_looks(row.most) : of_show(row.most);
         const Report over = row.is_look ? of_looks(row.over) : of_show(row.over);
-        EXPECT_FALSE(mentions(kept, row.words)) << row.most.substr(0, 80) << "\n" << said(kept);
-        EXPECT_TRUE(mentions(over, row.words)) << row.over.substr(0, 80) << "\n" << said(over);
+        EXPECT_FALSE(has_said(kept, row.words)) << row.most.substr(0, 80) << "\n" << all_said(kept);
+        EXPECT_TRUE(has_said(over, row.words)) << row.over.substr(0, 80) << "\n" << all_said(over);
     }
 }
 

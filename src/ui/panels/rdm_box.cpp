@@ -30,10 +30,11 @@ QString words_of(const RdmNow& rdm, const scene::Show& show) {
     if (rdm.access == RdmAccess::off) return {};
     const auto found = std::count_if(rdm.heads.begin(), rdm.heads.end(),
                                      [](const RdmHead& head) { return head.is_found || head.messages > 0; });
-    QString text = translated("RDM", "%1 of %2 fixtures were found by a desk, %n message(s)", nullptr,
-                              static_cast<long long>(rdm.messages))
-                       .arg(found)
-                       .arg(rdm.heads.size());
+    const auto messages = static_cast<long long>(rdm.messages);
+    QString text =
+        translated("RDM", "%1 of %2 fixtures were found by a desk, %n message(s)", nullptr, messages)
+            .arg(found)
+            .arg(rdm.heads.size());
     if (rdm.faults > 0) text += translated("RDM", ", %1 not understood").arg(rdm.faults);
     if (rdm.refused > 0) text += translated("RDM", ", %1 refused").arg(rdm.refused);
     int identify = 0;
