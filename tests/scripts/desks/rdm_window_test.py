@@ -19,6 +19,7 @@ from ola import discover, namespaces, olad, wait  # noqa: E402
 from PIL import Image  # noqa: E402
 
 FIXTURES = driver.SOURCE / "assets/fixtures"
+SIZE = 640, 360
 SHOW = f"""# What the designer wrote stays.
 [show]
 name = "RDM"
@@ -64,7 +65,8 @@ def pictures(window, count, every_s):
         end = time.monotonic() + 30
         while not file.exists() and time.monotonic() < end:
             time.sleep(0.05)
-        shots.append(numpy.asarray(Image.open(file).convert("L")).astype(float))
+        # While things move pictures are drawn with fewer pixels.
+        shots.append(numpy.asarray(Image.open(file).convert("L").resize(SIZE)).astype(float))
         time.sleep(every_s)
     return shots
 
