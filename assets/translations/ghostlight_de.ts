@@ -396,11 +396,11 @@
     </message>
     <message>
         <source>X Y Z of the nozzle</source>
-        <translation>Bläst nach</translation>
+        <translation>X Y Z der Düse</translation>
     </message>
     <message>
         <source>Blows to</source>
-        <translation>X Y Z der Düse</translation>
+        <translation>Bläst nach</translation>
     </message>
     <message>
         <source>X Y Z; any length: 0 0 1 is up</source>
@@ -408,7 +408,7 @@
     </message>
     <message>
         <source>Rate</source>
-        <translation>Menge</translation>
+        <translation>Rate</translation>
     </message>
     <message>
         <source>Density 1 m before the nozzle, as a multiple of the room&apos;s</source>
@@ -1072,6 +1072,10 @@
     <message>
         <source>Cancel</source>
         <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>to</source>
+        <translation>bis</translation>
     </message>
 </context>
 <context>
@@ -2693,7 +2697,7 @@
     </message>
     <message>
         <source>Samples</source>
-        <translation>Abtastungen</translation>
+        <translation>Abtastung</translation>
     </message>
     <message>
         <source>Of the haze, along a ray through one beam. Fewer are faster.</source>
@@ -4597,6 +4601,10 @@
     <message>
         <source>haze is &apos;%1&apos;, expected one of %2</source>
         <translation>Dunst ist &apos;%1&apos;, erwartet eines von %2</translation>
+    </message>
+    <message>
+        <source>this machine alone</source>
+        <translation>nur dieser Rechner</translation>
     </message>
 </context>
 <context>

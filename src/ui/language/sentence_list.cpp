@@ -559,6 +559,7 @@ constexpr const char* kSentences[] = {
     QT_TRANSLATE_NOOP("Sentence", "nothing listens to browsers: View, In browsers..."),
     QT_TRANSLATE_NOOP("Sentence", "bounced light is '%1', expected %2"),
     QT_TRANSLATE_NOOP("Sentence", "haze is '%1', expected one of %2"),
+    QT_TRANSLATE_NOOP("Sentence", "this machine alone"),
 };
 
 } // namespace
