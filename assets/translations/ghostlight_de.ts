@@ -85,19 +85,19 @@
     </message>
     <message>
         <source>Move by 0.1 m to the left</source>
-        <translation>Um 0,1 m nach links</translation>
+        <translation>Um 0.1 m nach links</translation>
     </message>
     <message>
         <source>Move by 0.1 m to the right</source>
-        <translation>Um 0,1 m nach rechts</translation>
+        <translation>Um 0.1 m nach rechts</translation>
     </message>
     <message>
         <source>Move by 0.1 m up-stage</source>
-        <translation>Um 0,1 m nach hinten</translation>
+        <translation>Um 0.1 m nach hinten</translation>
     </message>
     <message>
         <source>Move by 0.1 m down-stage</source>
-        <translation>Um 0,1 m nach vorn</translation>
+        <translation>Um 0.1 m nach vorn</translation>
     </message>
     <message>
         <source>Align %1 with the first</source>
