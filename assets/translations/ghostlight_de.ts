@@ -4606,6 +4606,10 @@
         <source>this machine alone</source>
         <translation>nur dieser Rechner</translation>
     </message>
+    <message>
+        <source>%1. Art-Net that a desk broadcasts to %2 (one in %3 with the mask 255.0.0.0) does not arrive at our address and mask, which take %4 and 255.255.255.255: give both machines one network and one mask</source>
+        <translation>%1. Art-Net, das ein Pult per Broadcast an %2 sendet (eines in %3 mit der Maske 255.0.0.0), kommt mit unserer Adresse und Maske nicht an, die %4 und 255.255.255.255 nehmen: beiden Rechnern ein Netzwerk und eine Maske geben</translation>
+    </message>
 </context>
 <context>
     <name>Transport</name>
