@@ -85,19 +85,19 @@
     </message>
     <message>
         <source>Move by 0.1 m to the left</source>
-        <translation>Um 0,1 m nach links</translation>
+        <translation>Um 0.1 m nach links</translation>
     </message>
     <message>
         <source>Move by 0.1 m to the right</source>
-        <translation>Um 0,1 m nach rechts</translation>
+        <translation>Um 0.1 m nach rechts</translation>
     </message>
     <message>
         <source>Move by 0.1 m up-stage</source>
-        <translation>Um 0,1 m nach hinten</translation>
+        <translation>Um 0.1 m nach hinten</translation>
     </message>
     <message>
         <source>Move by 0.1 m down-stage</source>
-        <translation>Um 0,1 m nach vorn</translation>
+        <translation>Um 0.1 m nach vorn</translation>
     </message>
     <message>
         <source>Align %1 with the first</source>
@@ -424,11 +424,11 @@
     </message>
     <message>
         <source>X Y Z of the nozzle</source>
-        <translation>Bläst nach</translation>
+        <translation>X Y Z der Düse</translation>
     </message>
     <message>
         <source>Blows to</source>
-        <translation>X Y Z der Düse</translation>
+        <translation>Bläst nach</translation>
     </message>
     <message>
         <source>X Y Z; any length: 0 0 1 is up</source>
@@ -436,7 +436,7 @@
     </message>
     <message>
         <source>Rate</source>
-        <translation>Menge</translation>
+        <translation>Rate</translation>
     </message>
     <message>
         <source>Density 1 m before the nozzle, as a multiple of the room&apos;s</source>
@@ -1100,6 +1100,10 @@
     <message>
         <source>Cancel</source>
         <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>to</source>
+        <translation>bis</translation>
     </message>
 </context>
 <context>
@@ -3001,7 +3005,7 @@
     </message>
     <message>
         <source>Samples</source>
-        <translation>Abtastungen</translation>
+        <translation>Abtastung</translation>
     </message>
     <message>
         <source>Of the haze, along a ray through one beam. Fewer are faster.</source>
@@ -4969,6 +4973,14 @@
     <message>
         <source>has an axis of &apos;%1&apos; that is no table</source>
         <translation>hat eine Achse von &apos;%1&apos;, die keine Tabelle ist</translation>
+    </message>
+    <message>
+        <source>this machine alone</source>
+        <translation>nur dieser Rechner</translation>
+    </message>
+    <message>
+        <source>%1. Art-Net that a desk broadcasts to %2 (one in %3 with the mask 255.0.0.0) does not arrive at our address and mask, which take %4 and 255.255.255.255: give both machines one network and one mask</source>
+        <translation>%1. Art-Net, das ein Pult per Broadcast an %2 sendet (eines in %3 mit der Maske 255.0.0.0), kommt mit unserer Adresse und Maske nicht an, die %4 und 255.255.255.255 nehmen: beiden Rechnern ein Netzwerk und eine Maske geben</translation>
     </message>
 </context>
 <context>

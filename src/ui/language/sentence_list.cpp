@@ -574,6 +574,11 @@ constexpr const char* kSentences[] = {
     QT_TRANSLATE_NOOP("Sentence", "nothing listens to browsers: View, In browsers..."),
     QT_TRANSLATE_NOOP("Sentence", "bounced light is '%1', expected %2"),
     QT_TRANSLATE_NOOP("Sentence", "haze is '%1', expected one of %2"),
+    QT_TRANSLATE_NOOP("Sentence", "this machine alone"),
+    QT_TRANSLATE_NOOP(
+        "Sentence",
+        "%1. Art-Net that a desk broadcasts to %2 (one in %3 with the mask 255.0.0.0) does not arrive at our "
+        "address and mask, which take %4 and 255.255.255.255: give both machines one network and one mask"),
 };
 
 } // namespace

@@ -254,7 +254,7 @@ void BrowserPanel::showEvent(QShowEvent*) {
                                     .arg(place.address >> 16 & 255)
                                     .arg(place.address >> 8 & 255)
                                     .arg(place.address & 255);
-        places_->addItem(QString::fromStdString(place.name) + "  " + numbers, place.address);
+        places_->addItem(said(place.name) + "  " + numbers, place.address);
     }
     const int index = places_->findData(before.isValid() ? before : QVariant(browsers_.options().address));
     places_->setCurrentIndex(std::max(index, 0));

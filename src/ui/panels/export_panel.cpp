@@ -157,7 +157,7 @@ QWidget* ExportPanel::make_pictures() {
     });
     auto* range = new QHBoxLayout;
     range->addWidget(from_);
-    range->addWidget(new QLabel("to", box));
+    range->addWidget(new QLabel(translated("Export", "to"), box));
     range->addWidget(to_);
     form->addRow(translated("Export", "Camera"), camera_);
     form->addRow(translated("Export", "Size"), size_);

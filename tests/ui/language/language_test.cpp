@@ -9,11 +9,11 @@
 
 using namespace ghost::ui;
 
-namespace {
-
 struct Language : testing::Test {
     ~Language() override { set_language("en"); }
 };
+
+namespace {
 
 std::string in_german(const char* english) {
     set_language("de");
@@ -85,7 +85,6 @@ TEST_F(Language, AnotherSentenceStays) {
 
 TEST_F(Language, EveryPatternSaysSomethingInGerman) {
     set_language("de");
-    for (const char* const one : sentence_list())
-        EXPECT_FALSE(said(one).isEmpty()) << one;
+    for (const char* const one : sentence_list()) EXPECT_FALSE(said(one).isEmpty()) << one;
     EXPECT_GT(sentence_list().size(), 400u);
 }
