@@ -109,6 +109,20 @@ TEST(Symbols, of_bad_files_are_left_out_with_a_word) {
     for (std::size_t size = 0; size < good.size(); ++size) (void)symbol_of(good.substr(0, size));
 }
 
+TEST(Symbols, of_a_type_have_an_end_together) {
+    std::vector<std::pair<std::string, std::string>> svgs;
+    for (const auto& [side, height] : {std::pair{"svg", "200"}, {"svg_side", "200"}, {"svg_front", "100"}}) {
+        std::string fine = std::string(R"(<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 400 )") +
+                           height + R"("><path stroke="red" d="M0 0)";
+        for (int i = 0; i < 4000; ++i) fine += std::string(" L0 ") + height + " L400 0";
+        for (const char* model : {"base", "head"})
+            svgs.push_back({std::string("models/") + side + "/" + model + ".svg", fine + R"("/></svg>)"});
+    }
+    const LoadedType file = file_with(svgs);
+    EXPECT_FALSE(top_of(file).empty());
+    EXPECT_TRUE(says(file, {"more than 32768 points in all"}));
+}
+
 TEST(Symbols, of_a_real_file_are_as_large_as_its_models) {
     const std::string path = "../shared/fixtures/gdtf/bauke_Martin_Professional@MAC_Viper_AirFX.gdtf";
     if (!std::filesystem::exists(path)) GTEST_SKIP() << "no " << path;

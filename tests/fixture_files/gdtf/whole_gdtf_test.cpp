@@ -181,6 +181,17 @@ DMXProfile="S" Min="10" Max="20" CustomName="osc" OriginalAttribute="Intensity"/
     EXPECT_EQ(file.messages.size(), 5u);
 }
 
+TEST(whole_gdtf, power_consumptions_have_an_end) {
+    Description description;
+    description.physical = "<Properties>";
+    for (int k = 0; k <= 256; ++k)
+        description.physical += R"(<PowerConsumption Value="1" VoltageLow="230"/>)";
+    description.physical += "</Properties>";
+    const LoadedType file = loaded(description);
+    EXPECT_EQ(file.type.properties.power_inputs.size(), 256u);
+    EXPECT_TRUE(says(file, {"256 power consumptions"}));
+}
+
 TEST(whole_gdtf, wiring_says_what_a_mode_takes) {
     Description description;
     description.physical = R"(<Properties><PowerConsumption Value="500"/></Properties>)";
