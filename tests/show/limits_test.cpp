@@ -61,8 +61,9 @@ TEST(ShowLimits, TablesOfAKind) {
         Row{"[[object]]\n", 1000},
         Row{"[[tracker]]\n", 256},
         Row{"[[mover]]\n", 256},
-        Row{"[[mover.axis]]\n", 32, "[[mover]]\nkind = \"hoists\"\n"},
-        Row{"[[mover.key]]\n", 10'000, "[[mover]]\nkind = \"linear\"\n[[mover.axis]]\nrange_m = [0, 1]\n"},
+        Row{"[[mover.axis]]\n", 32, "[[mover]]\nname = \"M\"\nkind = \"hoists\"\n"},
+        Row{"[[mover.key]]\n", 10'000,
+            "[[mover]]\nname = \"M\"\nkind = \"linear\"\n[[mover.axis]]\nrange_m = [0, 1]\n"},
         Row{"[[circuit]]\n", 10'000},
         Row{"[[cue]]\n", 10'000},
         Row{"[[palette]]\n", 1000},
@@ -91,7 +92,7 @@ TEST(ShowLimits, ListsAndTexts) {
         for (std::size_t k = 0; k < count; ++k) all += (k > 0 ? ", a" : "a") + std::to_string(k) + " = 0.5";
         return all + " }\n";
     };
-    const std::string mover = "[[mover]]\nkind = \"path\"\n",
+    const std::string mover = "[[mover]]\nname = \"M\"\nkind = \"path\"\n",
                       look = "[[look]]\nname = \"L\"\n[[look.fixture]]\n",
                       palette = "[[palette]]\nname = \"P\"\nkind = \"beam\"\n";
     struct Row {
@@ -114,8 +115,8 @@ TEST(ShowLimits, ListsAndTexts) {
          "a text of at most 1000 bytes"},
         {mover + "[[mover.axis]]\nrange_m = [0, 1000]\n", mover + "[[mover.axis]]\nrange_m = [0, 1001]\n",
          "1000"},
-        {"[[mover]]\nkind = \"rotary\"\n[[mover.axis]]\nrange_deg = [0, 36000]\n",
-         "[[mover]]\nkind = \"rotary\"\n[[mover.axis]]\nrange_deg = [0, 36001]\n", "36000"},
+        {"[[mover]]\nname = \"M\"\nkind = \"revolve\"\n[[mover.axis]]\nrange_deg = [0, 36000]\n",
+         "[[mover]]\nname = \"M\"\nkind = \"revolve\"\n[[mover.axis]]\nrange_deg = [0, 36001]\n", "36000"},
         {"sound = \"a.wav\"\nsound_offset_s = 86400\n", "sound = \"a.wav\"\nsound_offset_s = 86401\n",
          "86400"},
     };

@@ -416,7 +416,7 @@ circuit = "A11"
     const std::string said = all_text(report);
     for (const char* part :
          {"'L4', expected \"L1\", \"L2\" or \"L3\"", "by which fixtures name it",
-          "is that of another circuit", "no [[circuit]] is called 'A11', which feeds Spot"})
+          "is that of another circuit", "no [[circuit]] is called 'A11', which feeds 'Spot'"})
         EXPECT_NE(said.find(part), std::string::npos) << part << "\n" << said;
 }
 

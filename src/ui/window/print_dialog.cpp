@@ -25,7 +25,7 @@ namespace {
 // Of a preview: the whole of it is in the folder.
 constexpr qint64 kMostTableBytes = 256 * 1024, kMostBookBytes = 4 * 1024 * 1024;
 constexpr int kMostRowsShown = 200, kMostPictures = 24;
-constexpr QSize kPicture(240, 135);
+constexpr QSize kPreview(240, 135);
 
 QComboBox* choice(const QString& name, std::initializer_list<std::pair<const char*, const char*>> words,
                   QWidget* parent) {
@@ -215,7 +215,7 @@ QWidget* PrintDialog::make_preview() {
         pictures_ = new QListWidget(preview);
         pictures_->setAccessibleName(translated("Print", "Pictures of the book"));
         pictures_->setViewMode(QListView::IconMode);
-        pictures_->setIconSize(kPicture);
+        pictures_->setIconSize(kPreview);
         pictures_->setMovement(QListView::Static);
         pictures_->setResizeMode(QListView::Adjust);
         pictures_->setSpacing(6);
@@ -338,7 +338,7 @@ void PrintDialog::show_pictures() {
         if (pictures_->count() == kMostPictures) break;
         const QString file = entry["pictures"].toArray().first().toObject()["file"].toString();
         QImageReader reader(QDir(made_).filePath(file));
-        reader.setScaledSize(reader.size().scaled(kPicture, Qt::KeepAspectRatio));
+        reader.setScaledSize(reader.size().scaled(kPreview, Qt::KeepAspectRatio));
         pictures_->addItem(
             new QListWidgetItem(QIcon(QPixmap::fromImage(reader.read())), entry["name"].toString()));
     }

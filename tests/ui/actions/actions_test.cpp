@@ -59,7 +59,10 @@ TEST(Actions, lines_are_split_at_blanks_and_quotes) {
 TEST(Actions, what_asks_a_person_for_a_file_tells_a_script_to_name_it) {
     Opened4 opened;
     std::set<QString> asking;
+    // They open a window of choices, in which nothing is waited for.
+    const std::set<QString> choosing{"paperwork", "cue-book"};
     for (const Action& action : opened.window->actions().all()) {
+        if (choosing.contains(action.name)) continue;
         EXPECT_EQ(action.text.endsWith("..."), !action.asks.title.isEmpty()) << action.name.toStdString();
         if (action.asks.title.isEmpty()) continue;
         asking.insert(action.name);
