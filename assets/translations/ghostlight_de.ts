@@ -4982,6 +4982,54 @@
         <source>%1. Art-Net that a desk broadcasts to %2 (one in %3 with the mask 255.0.0.0) does not arrive at our address and mask, which take %4 and 255.255.255.255: give both machines one network and one mask</source>
         <translation>%1. Art-Net, das ein Pult per Broadcast an %2 sendet (eines in %3 mit der Maske 255.0.0.0), kommt mit unserer Adresse und Maske nicht an, die %4 und 255.255.255.255 nehmen: beiden Rechnern ein Netzwerk und eine Maske geben</translation>
     </message>
+    <message>
+        <source>baked pictures are turned off</source>
+        <translation>vorberechnete Bilder sind ausgeschaltet</translation>
+    </message>
+    <message>
+        <source>light bounces</source>
+        <translation>indirektes Licht ist an</translation>
+    </message>
+    <message>
+        <source>the work light is on</source>
+        <translation>das Arbeitslicht ist an</translation>
+    </message>
+    <message>
+        <source>a share of the pixels is asked for</source>
+        <translation>ein Anteil der Pixel ist gewünscht</translation>
+    </message>
+    <message>
+        <source>lux are measured on surfaces</source>
+        <translation>auf Flächen werden Lux gemessen</translation>
+    </message>
+    <message>
+        <source>objects are hidden or shown by hand</source>
+        <translation>Objekte sind von Hand aus- oder eingeblendet</translation>
+    </message>
+    <message>
+        <source>surfaces are set by hand</source>
+        <translation>Oberflächen sind von Hand gesetzt</translation>
+    </message>
+    <message>
+        <source>air, even light or shadows are set by hand</source>
+        <translation>Luft, Grundlicht oder Schatten sind von Hand gesetzt</translation>
+    </message>
+    <message>
+        <source>a remote control sets the haze</source>
+        <translation>eine Fernsteuerung stellt den Nebel</translation>
+    </message>
+    <message>
+        <source>a mover is not where the model has it</source>
+        <translation>ein bewegtes Teil ist nicht, wo das Modell es hat</translation>
+    </message>
+    <message>
+        <source>a fixture identifies itself</source>
+        <translation>ein Gerät gibt sich zu erkennen</translation>
+    </message>
+    <message>
+        <source>trackers may move what is on stage</source>
+        <translation>Tracker können bewegen, was auf der Bühne steht</translation>
+    </message>
 </context>
 <context>
     <name>Transport</name>
