@@ -40,8 +40,9 @@ Result<void> check_exr_attributes(const std::filesystem::path& path) {
         const std::streamoff at = file.tellg();
         if (!file) break;
         if (size > file_bytes - static_cast<std::uint64_t>(at))
-            return Error{"an attribute of it says that it is " + std::to_string(size) +
-                             " bytes long, but the file has " + std::to_string(file_bytes),
+            return Error{"not a readable OpenEXR image: an attribute of it says that it is " +
+                             std::to_string(size) + " bytes long, but the file ends at byte " +
+                             std::to_string(file_bytes),
                          ""};
         file.seekg(size, std::ios::cur);
     }

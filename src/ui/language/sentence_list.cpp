@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+// One list in one place (over 600 lines): the first pattern that fits is taken, so that their order counts.
 #include "ui/language/private/sentence_list.h"
 
 #include <QCoreApplication>
