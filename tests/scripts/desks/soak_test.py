@@ -240,9 +240,19 @@ class Soak:
         """The least of some looks: a file that is being read, by the page of what a plot has for one, is not kept."""
         looks = []
         for _ in range(8):
-            looks.append(len(os.listdir(f"/proc/{self.pid()}/fd")))
+            looks.append(self.open_files())
             time.sleep(0.25)
-        return min(looks)
+        self.least_open = min(looks, key=len)
+        return len(self.least_open)
+
+    def open_files(self):
+        names = []
+        for link in pathlib.Path(f"/proc/{self.pid()}/fd").iterdir():
+            try:
+                names.append(os.readlink(link))
+            except FileNotFoundError:
+                pass  # it was closed meanwhile
+        return sorted(names)
 
     def pid(self):
         return self.window.process.pid  # ip netns exec becomes what it runs
@@ -280,10 +290,11 @@ def main():
     try:
         with window_driver.begin() as work:
             soak = Soak(work, network)
-            begun, rows = time.monotonic(), []
+            begun, rows, opened = time.monotonic(), [], []
             try:
                 while len(rows) < 2 or time.monotonic() - begun < SECONDS:
                     rows.append(soak.round())
+                    opened.append(soak.least_open)
                     print(f"{time.monotonic() - begun:6.0f} s, round {len(rows)}: {json.dumps(rows[-1])}", flush=True)
             except BaseException:
                 print(soak.window.text()[-4000:])
@@ -298,7 +309,7 @@ def main():
     print(f"{len(rows)} rounds in {time.monotonic() - begun:.0f} s, {soak.edits} edits: memory {100 * memory:+.1f} %, descriptors {descriptors:+d}")
     if SECONDS:
         assert memory <= MOST_GROWTH, rows
-    assert descriptors <= 0, rows
+    assert descriptors <= 0, (rows, opened[int(len(rows) * WARM_SHARE)], opened[-1])
     print("ok")
     return 0
 
