@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One list in one place (over 600 lines): the first pattern that fits is taken, so that their order counts.
+// One pattern a line, and lupdate reads no other form, so that it is over 600 lines.
 #include "ui/language/private/sentence_list.h"
 
 #include <QCoreApplication>
@@ -7,7 +7,6 @@
 namespace ghost::ui {
 namespace {
 
-// The first that fits is taken: longer ones stand above those that are a part of them.
 constexpr const char* kSentences[] = {
     // why a fixture is lit or dark
     QT_TRANSLATE_NOOP("Sentence", "lit: %1"),

@@ -18,7 +18,8 @@ constexpr qsizetype kLongest = 4000;
 constexpr qsizetype kKept = 1000; // sentences: the same ones are shown again and again
 
 struct Pattern {
-    QString part; // of it, the longest; what lacks it needs no closer look
+    QString part;        // of it, the longest; what lacks it needs no closer look
+    qsizetype fixed = 0; // characters outside of its places
     QRegularExpression english;
     QString german;               // or whatever the language is
     std::vector<int> numbers;     // of the %1 that each group stands for
@@ -34,6 +35,7 @@ Pattern pattern_of(const QString& source, const QString& text) {
     for (auto places = kPlace.globalMatch(source); places.hasNext();) {
         const QRegularExpressionMatch place = places.next();
         const QString fixed = source.mid(from, place.capturedStart() - from);
+        pattern.fixed += fixed.size();
         if (fixed.size() > pattern.part.size()) pattern.part = fixed;
         form += QRegularExpression::escape(fixed);
         const QChar before = place.capturedStart() > 0 ? source[place.capturedStart() - 1] : QChar();
@@ -42,8 +44,10 @@ Pattern pattern_of(const QString& source, const QString& text) {
         form += before == '\'' ? "([^'\\n]*?)" : "(.+?)";
         from = place.capturedEnd();
     }
-    if (const QString last = source.mid(from); last.size() > pattern.part.size()) pattern.part = last;
-    form += QRegularExpression::escape(source.mid(from));
+    const QString last = source.mid(from);
+    pattern.fixed += last.size();
+    if (last.size() > pattern.part.size()) pattern.part = last;
+    form += QRegularExpression::escape(last);
     pattern.english =
         QRegularExpression("\\A" + form + "\\z", QRegularExpression::DotMatchesEverythingOption);
     return pattern;
@@ -68,6 +72,9 @@ Patterns& patterns() {
         else
             now.whole[english] = text;
     }
+    // What says more by itself is tried first, wherever it stands in the list.
+    std::stable_sort(now.all.begin(), now.all.end(),
+                     [](const Pattern& a, const Pattern& b) { return a.fixed > b.fixed; });
     return now;
 }
 

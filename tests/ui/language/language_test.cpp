@@ -56,6 +56,11 @@ TEST_F(Language, ThereAreThoseThatAreOffered) {
     }
 }
 
+TEST_F(Language, TheMoreParticularPatternIsTaken) {
+    EXPECT_EQ(in_german("'x' is none of lux, luminance and off"),
+              "'x' ist keines von lux, luminance und off");
+}
+
 TEST_F(Language, ASentenceIsKnownByItsPattern) {
     EXPECT_EQ(in_german("no show is open"), "keine Show ist offen");
     EXPECT_EQ(in_german("no fixture is called 'Spot %2 and on'"), "kein Gerät heißt 'Spot %2 and on'");
