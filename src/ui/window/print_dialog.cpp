@@ -172,6 +172,7 @@ void PrintDialog::add_paper_choices(QFormLayout& form) {
                      {"Arch D", "ArchD"}},
                     this);
     language_ = choice(translated("Print", "Language"), {{"English", "en"}, {"Deutsch", "de"}}, this);
+    language_->setCurrentIndex(std::max(language_->findData(language()), 0));
     units_ = choice(translated("Print", "Units"),
                     {{QT_TRANSLATE_NOOP("Print", "Metres, kilograms"), "metric"},
                      {QT_TRANSLATE_NOOP("Print", "Feet, pounds"), "imperial"}},
