@@ -35,8 +35,10 @@ sockaddr_in6 name_of(const IpAddress& address, std::uint16_t port, unsigned inte
 int open_socket() {
     const int handle = ::socket(AF_INET6, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0);
     if (handle < 0) return handle;
-    const int off = 0;
+    const int off = 0, on = 1;
     (void)setsockopt(handle, IPPROTO_IPV6, IPV6_V6ONLY, &off, sizeof off);
+    // Accepted ones have it, too. Without it a picture waits up to 40 ms behind a short message.
+    (void)setsockopt(handle, IPPROTO_TCP, TCP_NODELAY, &on, sizeof on);
     return handle;
 }
 
