@@ -19,7 +19,8 @@ namespace {
 constexpr float kBeside_rad = 0.06f;
 // So far from the lens the way from the map's place to what is lit is that of the beam, but for kBeside_rad.
 constexpr float kFromLens_m = 1.0f;
-constexpr float kTight = 1e-3f; // rounding: metres, radians
+constexpr float kToCorners = 1.42f; // of a slide and a scanner
+constexpr float kTight = 1e-3f;     // rounding: metres, radians
 constexpr int kBlock = scene::kDistanceBlock;
 
 std::array<glm::vec3, 8> corners_of(const scene::Box& box) {
@@ -38,12 +39,15 @@ bool MovingMaps::Cone::meets(const Cone& other) const {
            std::acos(std::clamp(glm::dot(axis, other.axis), -1.0f, 1.0f)) <= reach_rad;
 }
 
+// Its beam from kFromLens_m before the lens on, seen from the map's place.
 MovingMaps::Cone MovingMaps::seen_by(const shared::Light& light) {
-    // A slide and a scanner reach into corners.
-    const float opening = light.tan_field * std::max(light.cut_radius, 1.0f);
-    const float lens_m =
-        glm::length(light.off_map_m) + light.lens_m * opening + light.disc_radius_m + light.lens_radius_m;
-    const float angle_rad = std::atan(1.42f * opening) + kBeside_rad + std::atan(lens_m / kFromLens_m);
+    const glm::vec3 lens_m = light.off_map_m + light.lens_m * light.axis_w;
+    const float ahead_m = glm::dot(lens_m, light.axis_w);
+    const float opening = kToCorners * light.tan_field * std::max(light.cut_radius, 1.0f);
+    const float beside_m = glm::length(lens_m - ahead_m * light.axis_w) +
+                           (light.lens_m + kFromLens_m) * opening + light.disc_radius_m + light.lens_radius_m;
+    const float angle_rad =
+        std::max(std::atan(opening), std::atan2(beside_m, kFromLens_m + ahead_m)) + kBeside_rad;
     if (!std::isfinite(angle_rad) || light.panel_m > 0) return {};
     return {light.axis_w, angle_rad};
 }

@@ -23,7 +23,7 @@ inline constexpr float kNoSurface_m = 60000.0f;
 inline constexpr std::uint16_t kNoSurface = 0x7b53;
 
 // Texels a side of the blocks in which maps of lights that travel are made and reach the device.
-inline constexpr int kDistanceBlock = 64;
+inline constexpr int kDistanceBlock = 32;
 
 struct DistanceMap {
     std::string fixture;

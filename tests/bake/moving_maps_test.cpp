@@ -2,6 +2,8 @@
 // Distance maps of what moves all the time: as those made from nothing, traced only where a beam looks.
 #include "bake/moving_maps.h"
 #include "passes/distance_maps.h"
+#include "shared/brdf.h"
+#include "shared/octahedral.h"
 #include "support/test_stage.h"
 
 #include <gtest/gtest.h>
@@ -72,7 +74,7 @@ TEST(MovingMaps, after_a_way_they_are_those_made_from_nothing) {
 }
 
 TEST(MovingMaps, a_beam_asks_for_what_it_sees_and_no_more) {
-    constexpr int kFine = 1024; // blocks of about 13 degrees
+    constexpr int kFine = 1024; // blocks of about 6 degrees
     const scene::Stage stage = room();
     const shared::Light down = spot({0, 0, -1}, 3);
     MovingMaps moving(stage, kFine, {{0, 0, 3}});
@@ -93,6 +95,47 @@ TEST(MovingMaps, a_beam_asks_for_what_it_sees_and_no_more) {
     const MovingMaps::News turned = moving.update({spot({1, 0, -1}, 3)});
     EXPECT_GT(turned.rays, 0u);
     EXPECT_FALSE(turned.is_seen_by_resting);
+}
+
+// Of a lens that is ahead of the map's place, as a moving head's, beside it, as a bar's cell, or behind it.
+TEST(MovingMaps, all_that_a_beam_lights_a_metre_away_is_there) {
+    const scene::Stage stage = room();
+    for (const glm::vec3& lens_m :
+         {glm::vec3(0, 0, -0.25f), glm::vec3(0.4f, 0, 0), glm::vec3(0.2f, 0.1f, 0.3f)})
+        for (const float half_deg : {3.0f, 12.0f, 35.0f}) {
+            shared::Light light = spot({0, 0, -1}, half_deg);
+            light.axis_u = {1, 0, 0};
+            light.axis_v = {0, -1, 0};
+            light.disc_radius_m = 0.07f;
+            light.lens_m = light.disc_radius_m / light.tan_field;
+            light.off_map_m = lens_m - light.lens_m * light.axis_w;
+            MovingMaps moving(stage, kMovingSize, {{0, 0, 3}});
+            moving.update({light});
+            for (float from_lens_m = 1; from_lens_m < 12; from_lens_m *= 1.3f)
+                for (int around = 0; around < 16; ++around) {
+                    const float angle = 2 * shared::kPi * static_cast<float>(around) / 16;
+                    const float radius_m =
+                        (light.lens_m + from_lens_m) * light.tan_field + light.disc_radius_m;
+                    const glm::vec3 way = lens_m + glm::vec3(radius_m * std::cos(angle),
+                                                             radius_m * std::sin(angle), -from_lens_m);
+                    const glm::ivec2 texel(shared::octahedral_from(way) * static_cast<float>(kMovingSize));
+                    const auto index = static_cast<std::size_t>(texel.y * kMovingSize + texel.x);
+                    ASSERT_NE(moving.distance(0)[index], scene::kNoSurface)
+                        << half_deg << " degrees, " << from_lens_m << " m, " << around;
+                }
+        }
+}
+
+TEST(MovingMaps, a_head_whose_lens_is_ahead_asks_for_little) {
+    constexpr int kFine = 1024;
+    const scene::Stage stage = room();
+    shared::Light head = spot({0, 0, -1}, 6.5f); // as a Vari-Lite VL2500 Wash
+    head.cut_radius = 1.46f;
+    head.lens_m = 0.887f;
+    head.disc_radius_m = 0.1f;
+    head.off_map_m = {0, 0, 0.632f};
+    MovingMaps moving(stage, kFine, {{0, 0, 3}});
+    EXPECT_LT(moving.update({head}).rays, kFine * kFine / 9u);
 }
 
 TEST(MovingMaps, a_matrix_that_is_no_place_takes_the_object_away) {

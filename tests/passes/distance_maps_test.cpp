@@ -11,6 +11,7 @@
 #include <glm/gtc/packing.hpp>
 #include <gtest/gtest.h>
 #include <memory>
+#include <numeric>
 #include <random>
 #include <unistd.h>
 
@@ -154,6 +155,20 @@ TEST_F(DistanceFiles, NamesAreUniqueAndDarkFixturesHaveNone) {
 TEST_F(DistanceFiles, NoSurfaceIsTheHalfOfItsDistance) {
     EXPECT_EQ(glm::unpackHalf1x16(kNoSurface), kNoSurface_m);
     EXPECT_EQ(to_half(kNoSurface_m), kNoSurface);
+}
+
+TEST(Halves, AreThoseOfGlmForAllExponents) {
+    for (std::uint32_t bits = 0; bits <= 0x7bff; ++bits) {
+        const float at = glm::unpackHalf1x16(static_cast<std::uint16_t>(bits));
+        const float next = glm::unpackHalf1x16(static_cast<std::uint16_t>(std::min(bits + 1, 0x7bffu)));
+        for (const float value :
+             {at, std::nextafter(at, 0.0f), std::midpoint(at, next), 0.7f * at + 0.3f * next,
+              std::nextafter(std::midpoint(at, next), 0.0f), -at, -std::midpoint(at, next)})
+            ASSERT_EQ(to_half(value), glm::packHalf1x16(value)) << value;
+    }
+    EXPECT_EQ(to_half(1e9f), to_half(65504.0f));
+    EXPECT_EQ(to_half(-1e9f), to_half(-65504.0f));
+    EXPECT_EQ(to_half(std::nanf("")), 0);
 }
 
 TEST_F(DistanceFiles, WhatIsWrittenIsRead) {
