@@ -81,14 +81,14 @@ SessionOptions opening_of(const BenchOptions& options, const fs::path& folder) {
     return opening;
 }
 
-// All lamps on, tilted to the stage.
+// All lamps on, tilted to what the camera sees of the stage.
 std::map<std::size_t, fixture::Programmer> lit_by_hand(std::size_t count, double seconds) {
     std::map<std::size_t, fixture::Programmer> programmer;
     for (std::size_t k = 0; k < count; ++k) {
         const auto phase = static_cast<float>(seconds * 1.7 + static_cast<double>(k));
         programmer[k].intensity = 1.0f;
         programmer[k].pan_deg = kSway_deg * std::sin(phase);
-        programmer[k].tilt_deg = 20 + kSway_deg * std::cos(phase);
+        programmer[k].tilt_deg = -20 + kSway_deg * std::cos(phase);
     }
     return programmer;
 }
@@ -172,7 +172,7 @@ Result<std::vector<image::ImageF>> along_track(const BenchOptions& options, cons
         (*levels)[kTrackAddress] = static_cast<std::uint8_t>(value & 255);
         dmx::Universes universes;
         universes.at(1).levels = levels;
-        session->rig->step(universes, 1.0 / kKineticFps, lit_by_hand(1, 0));
+            session->rig->step(universes, 1.0 / kKineticFps, lit_by_hand(1, 0));
         (void)session->draw(0);
         pictures.push_back(session->relighter->frame());
     }

@@ -50,8 +50,7 @@ std::map<std::string, CircuitLoad> loads_of(const Show& show) {
 std::vector<Circuit> all_circuits(const Show& show, const std::map<std::string, CircuitLoad>& loads) {
     std::vector<Circuit> circuits = show.circuits, more;
     for (const auto& [name, load] : loads) {
-        const bool is_described = std::any_of(circuits.begin(), circuits.end(),
-                                              [&](const Circuit& one) { return one.name == name; });
+        const bool is_described = std::ranges::find(circuits, name, &Circuit::name) != circuits.end();
         if (!name.empty() && !is_described) more.push_back({name, "", 0, 0});
     }
     std::stable_sort(more.begin(), more.end(),
