@@ -172,7 +172,7 @@ Result<std::vector<image::ImageF>> along_track(const BenchOptions& options, cons
         (*levels)[kTrackAddress] = static_cast<std::uint8_t>(value & 255);
         dmx::Universes universes;
         universes.at(1).levels = levels;
-            session->rig->step(universes, 1.0 / kKineticFps, lit_by_hand(1, 0));
+        session->rig->step(universes, 1.0 / kKineticFps, lit_by_hand(1, 0));
         (void)session->draw(0);
         pictures.push_back(session->relighter->frame());
     }
