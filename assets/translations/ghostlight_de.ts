@@ -3579,8 +3579,16 @@
         <translation>nichts kommt an: Ist die Ausgabe des Pults an, ist es in diesem Netzwerk, und ist keine Firewall auf UDP 5568 und 6454 im Weg? Gehört wird auf %1</translation>
     </message>
     <message>
-        <source>no levels arrive, though %1: is the desk&apos;s output on, is it in this network, and is no firewall on UDP 5568 and 6454 in the way? We listen on %2</source>
-        <translation>keine Werte kommen an, obwohl %1: Ist die Ausgabe des Pults an, ist es in diesem Netzwerk, und ist keine Firewall auf UDP 5568 und 6454 im Weg? Gehört wird auf %2</translation>
+        <source>nothing arrives: is the desk&apos;s output on, is it in this network, and is no firewall on UDP %1 in the way? We listen on %2</source>
+        <translation>nichts kommt an: Ist die Ausgabe des Pults an, ist es in diesem Netzwerk, und ist keine Firewall auf UDP %1 im Weg? Gehört wird auf %2</translation>
+    </message>
+    <message>
+        <source>no levels arrive, though %1: is the desk&apos;s output on, is it in this network, and is no firewall on UDP %2 in the way? We listen on %3</source>
+        <translation>keine Werte kommen an, obwohl %1: Ist die Ausgabe des Pults an, ist es in diesem Netzwerk, und ist keine Firewall auf UDP %2 im Weg? Gehört wird auf %3</translation>
+    </message>
+    <message>
+        <source>no levels arrive, though %1: is the desk&apos;s output on, is it in this network, does it send to a universe of ours? We listen on %2</source>
+        <translation>keine Werte kommen an, obwohl %1: Ist die Ausgabe des Pults an, ist es in diesem Netzwerk, sendet es an ein Universum von uns? Gehört wird auf %2</translation>
     </message>
     <message>
         <source>packets arrive, and none of them can be read as levels: %1. Whoever sends them has to be mended</source>
@@ -3605,6 +3613,10 @@
     <message>
         <source>off by one? %1 comes for %2, fixtures are on %3: %4</source>
         <translation>um eins verschoben? %1 kommt für %2, Geräte liegen auf %3: %4</translation>
+    </message>
+    <message>
+        <source>off by one? %1 is announced for %2 by %3, fixtures are on %4: %5</source>
+        <translation>um eins verschoben? %1 ist für %2 von %3 angekündigt, Geräte liegen auf %4: %5</translation>
     </message>
     <message>
         <source>--artnet-offset %1 brings them together</source>

@@ -157,9 +157,14 @@ constexpr const char* kSentences[] = {
     QT_TRANSLATE_NOOP("Sentence", "%1 has no cable, or what is at its other end is off"),
     QT_TRANSLATE_NOOP("Sentence", "nothing arrives: is the desk's output on, is it in this network, and is "
                                   "no firewall on UDP 5568 and 6454 in the way? We listen on %1"),
+    QT_TRANSLATE_NOOP("Sentence", "nothing arrives: is the desk's output on, is it in this network, and is "
+                                  "no firewall on UDP %1 in the way? We listen on %2"),
     QT_TRANSLATE_NOOP("Sentence",
                       "no levels arrive, though %1: is the desk's output on, is it in this network, and is "
-                      "no firewall on UDP 5568 and 6454 in the way? We listen on %2"),
+                      "no firewall on UDP %2 in the way? We listen on %3"),
+    QT_TRANSLATE_NOOP("Sentence",
+                      "no levels arrive, though %1: is the desk's output on, is it in this network, does it "
+                      "send to a universe of ours? We listen on %2"),
     QT_TRANSLATE_NOOP(
         "Sentence",
         "packets arrive, and none of them can be read as levels: %1. Whoever sends them has to be mended"),
@@ -177,6 +182,7 @@ constexpr const char* kSentences[] = {
                       "other addresses than ours (its output page says so), or a switch holds this multicast "
                       "back (IGMP snooping without a querier). Unicast to %3 gets past both"),
     QT_TRANSLATE_NOOP("Sentence", "off by one? %1 comes for %2, fixtures are on %3: %4"),
+    QT_TRANSLATE_NOOP("Sentence", "off by one? %1 is announced for %2 by %3, fixtures are on %4: %5"),
     QT_TRANSLATE_NOOP("Sentence", "--artnet-offset %1 brings them together"),
     QT_TRANSLATE_NOOP("Sentence", "move the desk's output or the show's patch by one"),
     QT_TRANSLATE_NOOP("Sentence", "%1 announces %2, nothing is patched there; the show wants %3"),
