@@ -35,7 +35,7 @@ namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 using scene::Reception;
 
-constexpr double kSilence_s = 7;      // where something is missing: shorter, silence proves nothing
+constexpr double kSilence_s = 12;     // where something is missing: lists of who sends what come every 10 s
 constexpr double kSettled_s = 1;      // until it is known who sends what came late
 constexpr double kLongestLamp_s = 10; // for a lamp's channel that does not rest
 constexpr double kSteps_hz = 30;      // as render steps, so that a strobe is where the picture has it
@@ -309,7 +309,7 @@ void add_explain(CLI::App& app, int& exit_code) {
                             ->excludes(at);
     command
         ->add_option("--for", options->for_s,
-                     "seconds to listen for --live-input; where a patched universe is silent at least 7")
+                     "seconds to listen for --live-input; where a patched universe is silent at least 12")
         ->check(number_in(0.1, 3600.0))
         ->needs(live)
         ->capture_default_str();

@@ -132,7 +132,9 @@ void add_nothing(const dmx::Statistics& statistics, const Arriving& arriving, co
         text += "; " + arriving.announced_text(listed) +
                 (patch.universes().empty() ? ", which --universes can name" : "");
     if (others.empty()) // else packets get through
-        text += ". To tell them apart: where 'tcpdump -ni any udp port 5568 or udp port 6454' shows "
+        text += ". A desk on this very machine has to send unicast to 127.0.0.1: multicast of QLC+ does not "
+                "come back here"
+                ". To tell them apart: where 'tcpdump -ni any udp port 5568 or udp port 6454' shows "
                 "packets, a firewall of this machine drops them; where it shows none, they do not get here";
     out.push_back(problem(Trouble::nothing_arrives, text));
 }
@@ -171,7 +173,7 @@ void add_silence(const dmx::Statistics& statistics, const Arriving& arriving, co
             out.push_back(problem(Trouble::same_host,
                                   who +
                                       " runs on this machine: if it is the desk, its multicast does not come "
-                                      "back here (QLC+ and OLA switch that off): have it send unicast to "
+                                      "back here (QLC+ switches that off): have it send unicast to "
                                       "127.0.0.1"));
     }
 }

@@ -25,7 +25,7 @@ import real_desks  # noqa: E402
 from desk_mistakes import DESK_MISTAKES, DESK_WELL  # noqa: E402
 from mistakes import MISTAKES, STANDARD, WELL, sacn  # noqa: E402
 
-LANES = 6
+LANES = 10
 ALIKE = {"cable", "output_off", "wrong_interface", "igmp", "sacn_one_off", "artnet_one_off", "sacn_elsewhere", "blind", "low_priority", "two_desks",
          "same_address", "dimmer", "shutter", "lamp_off", "parked", "overridden", "ola_artnet_one_off", "qlc_and_ola", "qlc_not_started",
          "sACN multicast", "QLC+, sACN multicast"}

@@ -174,7 +174,7 @@ constexpr const char* kSentences[] = {
         "unicast. Close the other one, or start again with --interface and an address of this machine"),
     QT_TRANSLATE_NOOP("Sentence",
                       "%1 runs on this machine: if it is the desk, its multicast does not come back here "
-                      "(QLC+ and OLA switch that off): have it send unicast to 127.0.0.1"),
+                      "(QLC+ switches that off): have it send unicast to 127.0.0.1"),
     QT_TRANSLATE_NOOP("Sentence", "%1 sends %2, but it comes in on %3, and we listen on %4 only: start with "
                                   "--interface %5, or without --interface"),
     QT_TRANSLATE_NOOP("Sentence",
@@ -597,6 +597,11 @@ constexpr const char* kSentences[] = {
         "Sentence",
         "%1. Art-Net that a desk broadcasts to %2 (one in %3 with the mask 255.0.0.0) does not arrive at our "
         "address and mask, which take %4 and 255.255.255.255: give both machines one network and one mask"),
+    QT_TRANSLATE_NOOP("Sentence",
+                      "%1. A desk on this very machine has to send unicast to 127.0.0.1: multicast "
+                      "of QLC+ does not come back here. To tell them apart: where '%2' shows "
+                      "packets, a firewall of this machine drops them; where it shows none, they "
+                      "do not get here"),
 };
 
 } // namespace

@@ -15,7 +15,8 @@ def desk(*desks, **setup):
 
 DESK_MISTAKES = [
     ("ola_not_patched", "OLA: its universe is not patched to the output", desk(ola("e131", patched=False)), "nothing_arrives", ["desk's output on"]),
-    ("ola_loopback", "OLA: its sACN leaves by 127.0.0.1", desk(ola("e131", ip="127.0.0.1")), "nothing_arrives", ["is it in this network"]),
+    ("ola_other_card", "OLA: its sACN leaves by another card of its machine", desk(ola("e131", ip="10.99.0.1"), desk=["addr add 10.99.0.1/24 dev to_net1"],
+     vis=["link set net1 down"]), "nothing_arrives", ["is it in this network"]),
     ("ola_sacn_one_off", "OLA: sACN, universe one too high", desk(ola("e131", 2)), "off_by_one", ["sACN comes for universe 2", "universe 1"]),
     ("ola_artnet_one_off", "OLA: universe 1 is Port-Address 1, and it sends to those alone that asked for that", desk(ola("artnet", 1)), "off_by_one",
      ["Art-Net is announced for universe 2", "'test' (10.93.0.1)", "--artnet-offset 0"]),
@@ -26,13 +27,13 @@ DESK_MISTAKES = [
      ["universe 17", "the show wants universe 1"]),
     ("ola_priority", "OLA is the main desk, and its priority is 90", desk(ola("e131", priority=90), send=[sacn(name="House")]), "low_priority",
      ["'OLA Server' (10.93.0.1) (priority 90)", "'House' (10.93.0.1) (priority 100)"]),
-    ("ola_here", "OLA runs on our machine, and its multicast does not come back", desk(ola("e131", on="vis", ip="10.93.0.2")), "same_host",
-     ["olad (pid", "unicast to 127.0.0.1"]),
     ("ola_blackout", "OLA: the blackout: the dimmer is at 0", desk(ola("e131", levels=BLACK)), "explain:dimmer", ["channel 1 (1.1) is at 0"]),
     ("ola_one_address_off", "OLA: the patch is one address off", desk(ola("e131", levels=SHIFTED)), "explain:dimmer", ["channel 1 (1.1) is at 0"]),
     ("qlc_no_output", "QLC+: the universe has no output", desk(qlc("")), "nothing_arrives", ["desk's output on"]),
     ("qlc_loopback", "QLC+: the output is that of 127.0.0.1", desk(qlc("E1.31", card="127.0.0.1", multicast=1, universe=1)), "nothing_arrives",
      ["is it in this network"]),
+    ("qlc_here", "QLC+ runs on our machine, and its multicast does not come back",
+     desk(qlc("E1.31", on="vis", card="10.93.0.2", multicast=1, universe=1)), "nothing_arrives", ["on this very machine", "unicast to 127.0.0.1"]),
     ("qlc_elsewhere", "QLC+: unicast to another machine", desk(qlc("E1.31", multicast=0, ucastIP="10.93.0.77", universe=1)), "nothing_arrives",
      ["is it in this network"]),
     ("qlc_sacn_one_off", "QLC+: sACN, universe one too high", desk(qlc("E1.31", multicast=1, universe=2)), "off_by_one", ["sACN comes for universe 2"]),
@@ -51,6 +52,7 @@ DESK_MISTAKES = [
 
 DESK_WELL = [
     ("OLA, sACN", desk(OLA_SACN)),
+    ("OLA on our machine, sACN", desk(ola("e131", on="vis", ip="10.93.0.2"))),
     ("OLA, Art-Net to who asked for it", desk(ola("artnet", 16))),
     ("QLC+, sACN multicast", desk(QLC_SACN)),
     ("QLC+, sACN unicast", desk(qlc("E1.31", multicast=0, ucastIP="10.93.0.2", universe=1))),

@@ -139,6 +139,7 @@ WELL = [
     ("live and preview in one row of numbers", {"send": [sacn(blind_every=3)]}),
     ("other start codes in one row of numbers", {"send": [sacn(text_every=3)]}),
     ("synchronised", {"send": [sacn(sync=10)]}),
+    ("levels name a synchronisation that never comes: shown at once", {"send": [sacn(sync=10, sync_stops_s=0)]}),
     ("priority per address", {"send": [sacn(per_address=100)]}),
     ("a desk that sends more than is patched", {"send": [sacn(), sacn(9), sacn(30)]}),
     ("the right one of two interfaces", {"options": ["--interface", "net0"]}),

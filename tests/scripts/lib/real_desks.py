@@ -20,9 +20,9 @@ def ola(plugin, universe=1, levels=None, patched=True, priority=100, on="desk", 
                     "on": on, "settings": settings}}
 
 
-def qlc(plugin, levels=None, card="10.93.0.1", plays=True, **parameters):
+def qlc(plugin, levels=None, card="10.93.0.1", plays=True, on="desk", **parameters):
     """plugin: E1.31 or ArtNet; parameters: of its output; no plugin: QLC+'s universe has none."""
-    return {"qlc": {"plugin": plugin, "levels": OPEN if levels is None else levels, "card": card, "plays": plays, "parameters": parameters}}
+    return {"qlc": {"plugin": plugin, "levels": OPEN if levels is None else levels, "card": card, "plays": plays, "on": on, "parameters": parameters}}
 
 
 def missing(setup):
@@ -31,8 +31,12 @@ def missing(setup):
     return f"{' and '.join(names)} {'is' if len(names) == 1 else 'are'} not installed" if names else ""
 
 
+def namespace_of(stage, spec):
+    return stage.desk if spec["on"] == "desk" else stage.vis
+
+
 def start_ola(stage, spec):
-    namespace = stage.desk if spec["on"] == "desk" else stage.vis
+    namespace = namespace_of(stage, spec)
     quiet = {"stdout": subprocess.DEVNULL, "stderr": subprocess.DEVNULL}
     stage.start(namespace, *daemon_of(stage.folder, spec["plugin"], **spec["settings"]), **quiet)
     end = time.monotonic() + LIMIT_S
@@ -63,7 +67,7 @@ def start_qlc(stage, spec):
     if spec["plays"]:
         desk.place("Track", scene, 0, 3600)
     (stage.folder / "desk.qxw").write_text(desk.text("Show", "test"))
-    stage.start(stage.desk, "env", f"HOME={stage.folder}", f"XDG_RUNTIME_DIR={stage.folder}", "QT_QPA_PLATFORM=offscreen", "qlcplus", "--nowm", "--nogui",
+    stage.start(namespace_of(stage, spec), "env", f"HOME={stage.folder}", f"XDG_RUNTIME_DIR={stage.folder}", "QT_QPA_PLATFORM=offscreen", "qlcplus", "--nowm", "--nogui",
                 "--open", stage.folder / "desk.qxw", "--operate", stdout=(stage.folder / "qlcplus.txt").open("w"), stderr=subprocess.STDOUT)
 
 
