@@ -134,13 +134,15 @@ class Stage:
 
     def explain_words(self):
         live = ["--live-input", "--for", 1.5, *self.setup["options"]]
-        words = ["explain", self.show, "Spot", "--quiet", *(live if self.setup["show"] is None else ["--at", self.setup["at_s"]])]
-        return ["ip", "netns", "exec", self.vis, GHOSTLIGHT, *map(str, words)]
+        return [GHOSTLIGHT, "explain", self.show, "Spot", "--quiet", *(live if self.setup["show"] is None else ["--at", self.setup["at_s"]])]
 
-    def explain(self):
-        done = subprocess.run([*self.explain_words(), "--json"], capture_output=True, text=True, timeout=LIMIT_S)
-        assert done.returncode == 0, done.stderr
-        return json.loads(done.stdout)
+    def begin_explain(self, *more):
+        return self.start(self.vis, *self.explain_words(), *more, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+
+    def explain(self, begun=None):
+        said, errors = (begun or self.begin_explain("--json")).communicate(timeout=LIMIT_S)
+        assert said, errors
+        return json.loads(said)
 
     def end(self):
         for process in self.processes:
@@ -191,6 +193,7 @@ def by_explain(stage, outcome, words):
 def by_monitor(stage, outcome, words):
     stage.monitor()
     stage.send()
+    begun = None if stage.setup["once"] else stage.begin_explain("--json")
     end, found, report = time.monotonic() + LIMIT_S, None, None
     while not found and time.monotonic() < end:
         time.sleep(0.2)
@@ -204,9 +207,9 @@ def by_monitor(stage, outcome, words):
     outcome.named, outcome.text = outcome.wanted, found["text"]
     outcome.also = [trouble for trouble in problems(report) if trouble != outcome.wanted]
     outcome.faults = wanting(outcome.text, words)
-    if stage.setup["once"]:
+    if not begun:
         return
-    facts = stage.explain()
+    facts = stage.explain(begun)
     same = [sentence for sentence in facts["input"]["diagnosis"] if sentence["trouble"] == outcome.wanted]
     said = same[0]["text"] if same else ""
     missing = wanting(said, words)

@@ -25,8 +25,7 @@ def until(holds):
 
 def in_words(stage, program, text, explained):
     if explained:
-        said = subprocess.run(stage.explain_words(), capture_output=True, text=True, timeout=LIMIT_S).stdout
-        return same(text) in same(said)
+        return same(text) in same(stage.begin_explain().communicate(timeout=LIMIT_S)[0])
     log = stage.folder / "words.txt"
     plain = stage.start(stage.vis, program, "monitor", "--show", stage.show, "--every", "0.5", *stage.setup["options"], stdout=log.open("w"))
     try:
