@@ -139,8 +139,8 @@ class Stage:
     def begin_explain(self, *more):
         return self.start(self.vis, *self.explain_words(), *more, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
 
-    def explain(self, begun=None):
-        said, errors = (begun or self.begin_explain("--json")).communicate(timeout=LIMIT_S)
+    def explain(self):
+        said, errors = self.begin_explain("--json").communicate(timeout=LIMIT_S)
         assert said, errors
         return json.loads(said)
 
@@ -193,7 +193,6 @@ def by_explain(stage, outcome, words):
 def by_monitor(stage, outcome, words):
     stage.monitor()
     stage.send()
-    begun = None if stage.setup["once"] else stage.begin_explain("--json")
     end, found, report = time.monotonic() + LIMIT_S, None, None
     while not found and time.monotonic() < end:
         time.sleep(0.2)
@@ -207,9 +206,9 @@ def by_monitor(stage, outcome, words):
     outcome.named, outcome.text = outcome.wanted, found["text"]
     outcome.also = [trouble for trouble in problems(report) if trouble != outcome.wanted]
     outcome.faults = wanting(outcome.text, words)
-    if not begun:
+    if stage.setup["once"]:
         return
-    facts = stage.explain(begun)
+    facts = stage.explain()
     same = [sentence for sentence in facts["input"]["diagnosis"] if sentence["trouble"] == outcome.wanted]
     said = same[0]["text"] if same else ""
     missing = wanting(said, words)
