@@ -3579,8 +3579,16 @@
         <translation>nichts kommt an: Ist die Ausgabe des Pults an, ist es in diesem Netzwerk, und ist keine Firewall auf UDP 5568 und 6454 im Weg? Gehört wird auf %1</translation>
     </message>
     <message>
-        <source>no levels arrive, though %1: is the desk&apos;s output on, is it in this network, and is no firewall on UDP 5568 and 6454 in the way? We listen on %2</source>
-        <translation>keine Werte kommen an, obwohl %1: Ist die Ausgabe des Pults an, ist es in diesem Netzwerk, und ist keine Firewall auf UDP 5568 und 6454 im Weg? Gehört wird auf %2</translation>
+        <source>nothing arrives: is the desk&apos;s output on, is it in this network, and is no firewall on UDP %1 in the way? We listen on %2</source>
+        <translation>nichts kommt an: Ist die Ausgabe des Pults an, ist es in diesem Netzwerk, und ist keine Firewall auf UDP %1 im Weg? Gehört wird auf %2</translation>
+    </message>
+    <message>
+        <source>no levels arrive, though %1: is the desk&apos;s output on, is it in this network, and is no firewall on UDP %2 in the way? We listen on %3</source>
+        <translation>keine Werte kommen an, obwohl %1: Ist die Ausgabe des Pults an, ist es in diesem Netzwerk, und ist keine Firewall auf UDP %2 im Weg? Gehört wird auf %3</translation>
+    </message>
+    <message>
+        <source>no levels arrive, though %1: is the desk&apos;s output on, is it in this network, does it send to a universe of ours? We listen on %2</source>
+        <translation>keine Werte kommen an, obwohl %1: Ist die Ausgabe des Pults an, ist es in diesem Netzwerk, sendet es an ein Universum von uns? Gehört wird auf %2</translation>
     </message>
     <message>
         <source>packets arrive, and none of them can be read as levels: %1. Whoever sends them has to be mended</source>
@@ -3591,8 +3599,8 @@
         <translation>der Port %1 von %2 wird auch von %3 benutzt: Von zwei Programmen bekommt nur das zuletzt gestartete den Unicast eines Pults. Das andere schließen oder mit --interface und einer Adresse dieses Rechners neu starten</translation>
     </message>
     <message>
-        <source>%1 runs on this machine: if it is the desk, its multicast does not come back here (QLC+ and OLA switch that off): have it send unicast to 127.0.0.1</source>
-        <translation>%1 läuft auf diesem Rechner: Wenn es das Pult ist, kommt sein Multicast hier nicht zurück (QLC+ und OLA schalten das ab): dort Unicast an 127.0.0.1 einstellen</translation>
+        <source>%1 runs on this machine: if it is the desk, its multicast does not come back here (QLC+ switches that off): have it send unicast to 127.0.0.1</source>
+        <translation>%1 läuft auf diesem Rechner: Wenn es das Pult ist, kommt sein Multicast hier nicht zurück (QLC+ schaltet das ab): dort Unicast an 127.0.0.1 einstellen</translation>
     </message>
     <message>
         <source>%1 sends %2, but it comes in on %3, and we listen on %4 only: start with --interface %5, or without --interface</source>
@@ -3605,6 +3613,10 @@
     <message>
         <source>off by one? %1 comes for %2, fixtures are on %3: %4</source>
         <translation>um eins verschoben? %1 kommt für %2, Geräte liegen auf %3: %4</translation>
+    </message>
+    <message>
+        <source>off by one? %1 is announced for %2 by %3, fixtures are on %4: %5</source>
+        <translation>um eins verschoben? %1 ist für %2 von %3 angekündigt, Geräte liegen auf %4: %5</translation>
     </message>
     <message>
         <source>--artnet-offset %1 brings them together</source>
@@ -4981,6 +4993,10 @@
     <message>
         <source>%1. Art-Net that a desk broadcasts to %2 (one in %3 with the mask 255.0.0.0) does not arrive at our address and mask, which take %4 and 255.255.255.255: give both machines one network and one mask</source>
         <translation>%1. Art-Net, das ein Pult per Broadcast an %2 sendet (eines in %3 mit der Maske 255.0.0.0), kommt mit unserer Adresse und Maske nicht an, die %4 und 255.255.255.255 nehmen: beiden Rechnern ein Netzwerk und eine Maske geben</translation>
+    </message>
+    <message>
+        <source>%1. A desk on this very machine has to send unicast to 127.0.0.1: multicast of QLC+ does not come back here. To tell them apart: where &apos;%2&apos; shows packets, a firewall of this machine drops them; where it shows none, they do not get here</source>
+        <translation>%1. Ein Pult auf eben diesem Rechner muss Unicast an 127.0.0.1 senden: Multicast von QLC+ kommt hier nicht zurück. Zum Unterscheiden: Wo &apos;%2&apos; Pakete zeigt, verwirft sie eine Firewall dieses Rechners; wo es keine zeigt, kommen sie nicht bis hierher</translation>
     </message>
     <message>
         <source>baked pictures are turned off</source>

@@ -35,9 +35,10 @@ namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 using scene::Reception;
 
-constexpr double kSilence_s = 7; // where something is missing: shorter, silence proves nothing
-constexpr double kSettled_s = 1; // until it is known who sends what came late
-constexpr double kSteps_hz = 30; // as render steps, so that a strobe is where the picture has it
+constexpr double kSilence_s = 12;     // where something is missing: lists of who sends what come every 10 s
+constexpr double kSettled_s = 1;      // until it is known who sends what came late
+constexpr double kLongestLamp_s = 10; // for a lamp's channel that does not rest
+constexpr double kSteps_hz = 30;      // as render steps, so that a strobe is where the picture has it
 
 struct ExplainOptions {
     std::string show;
@@ -148,6 +149,14 @@ bool all_arrive(const scene::PatchMap& patch, const dmx::Universes& universes) {
                        [&](const scene::PatchedUniverse& one) { return universes.find(one.universe); });
 }
 
+// A lamp that is told to go on or off does so when it was told for a while, as in the picture.
+bool lamp_waits(const scene::Rig& rig) {
+    return std::any_of(rig.states().begin(), rig.states().end(), [](const fixture::State& state) {
+        const fixture::LampCommand told = state.lamp.command;
+        return told != fixture::LampCommand::none && state.lamp.lit != (told == fixture::LampCommand::on);
+    });
+}
+
 Result<Moment> listen(const ExplainOptions& options, const scene::PatchMap& patch, scene::Rig& rig) {
     TRY(dmx::ReceiverOptions receiver_wants, receiver_options(options.input));
     receiver_wants.slot_status = true;
@@ -175,7 +184,9 @@ Result<Moment> listen(const ExplainOptions& options, const scene::PatchMap& patc
         const double passed_s = std::chrono::duration<double>(now - start).count();
         if (!all_arrive(patch, moment.universes)) silent_s = passed_s;
         const double enough_s = silent_s >= passed_s ? kSilence_s : silent_s > 0 ? silent_s + kSettled_s : 0;
-        running = !interrupted() && passed_s < std::max(options.for_s, enough_s);
+        const bool is_enough =
+            passed_s >= std::max(options.for_s, enough_s) && (!lamp_waits(rig) || passed_s >= kLongestLamp_s);
+        running = !interrupted() && !is_enough;
     }
     moment.now_s = in_seconds(before.time_since_epoch());
     moment.reception =
@@ -298,7 +309,7 @@ void add_explain(CLI::App& app, int& exit_code) {
                             ->excludes(at);
     command
         ->add_option("--for", options->for_s,
-                     "seconds to listen for --live-input; where a patched universe is silent at least 7")
+                     "seconds to listen for --live-input; where a patched universe is silent at least 12")
         ->check(number_in(0.1, 3600.0))
         ->needs(live)
         ->capture_default_str();

@@ -33,7 +33,8 @@ Json network_json(const dmx::Statistics& statistics) {
                                    {"late", sync.late},
                                    {"age_s", seconds_of(sync.age)}});
     for (const dmx::DiscoveredSource& source : statistics.discovered)
-        network["discovered"].push_back({{"id", source.id},
+        network["discovered"].push_back({{"protocol", dmx::protocol_name(source.protocol)},
+                                         {"id", source.id},
                                          {"name", source.name},
                                          {"from", dmx::address_text(source.from)},
                                          {"universes", *source.universes},

@@ -38,17 +38,28 @@ Arriving::Arriving(const dmx::Statistics& statistics) {
         add(one.universe, one.protocol, source_text(one.name, dmx::address_text(one.from), one.protocol));
     for (const dmx::IgnoredSource& one : statistics.ignored)
         add(one.universe, one.protocol, source_text(one.name, dmx::address_text(one.from), one.protocol));
-    for (const dmx::DiscoveredSource& one : statistics.discovered)
-        for (const int universe : *one.universes)
-            listed.emplace(universe, source_text(one.name, dmx::address_text(one.from), dmx::Protocol::sacn));
+    for (const dmx::DiscoveredSource& one : statistics.discovered) {
+        if (one.protocol == dmx::Protocol::artnet && !nothing()) continue;
+        const Listed entry{source_text(one.name, dmx::address_text(one.from), one.protocol), one.protocol};
+        for (const int universe : *one.universes) listed.emplace(universe, entry);
+    }
 }
 
 std::set<int> Arriving::announced(dmx::Protocol protocol) const {
     const auto found = by_protocol.find(protocol);
     std::set<int> result = found == by_protocol.end() ? std::set<int>() : found->second;
-    if (protocol == dmx::Protocol::sacn)
-        for (const auto& [universe, from] : listed) result.insert(universe);
+    for (const auto& [universe, one] : listed)
+        if (one.protocol == protocol) result.insert(universe);
     return result;
+}
+
+std::string Arriving::announced_text(const std::set<int>& of) const {
+    std::map<std::string, std::set<int>> by_who;
+    for (const int universe : of) by_who[listed.at(universe).who].insert(universe);
+    std::string text;
+    for (const auto& [who, numbers] : by_who)
+        text += (text.empty() ? "" : ", ") + who + " announces " + universes_text(numbers);
+    return text;
 }
 
 std::string count_text(std::uint64_t count, const std::string& word) {

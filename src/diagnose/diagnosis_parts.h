@@ -20,13 +20,21 @@ struct Arriving {
 
     std::map<int, std::string> universes; // levels, and from whom
     std::map<dmx::Protocol, std::set<int>> by_protocol;
-    std::map<int, std::string> listed; // in the lists of sACN sources (universe discovery), and whose
+    struct Listed {
+        std::string who;
+        dmx::Protocol protocol;
+    };
+    // In the lists of sACN sources (universe discovery); where no levels arrive at all also what senders of
+    // Art-Net name in their replies, for they send to those alone that asked for it.
+    std::map<int, Listed> listed;
 
     bool nothing() const { return universes.empty(); }
     bool has(int universe) const { return universes.contains(universe); }
     bool by(dmx::Protocol protocol) const { return by_protocol.contains(protocol); }
     // What comes by a protocol, or would if we had joined it.
     std::set<int> announced(dmx::Protocol protocol) const;
+    // "'FOH' (10.0.0.7) announces universes 100-103, ..." of these.
+    std::string announced_text(const std::set<int>& universes) const;
 };
 
 std::string count_text(std::uint64_t count, const std::string& word); // "1 fixture", "2 fixtures"

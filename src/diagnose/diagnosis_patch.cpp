@@ -28,12 +28,17 @@ std::optional<Shift> find_shift(dmx::Protocol protocol, const std::set<int>& arr
     return Shift{by, protocol, arriving};
 }
 
-std::string shift_text(const Shift& shift, const dmx::Statistics& statistics, const PatchMap& patch) {
-    std::string text = "off by one? " + std::string(dmx::protocol_name(shift.protocol)) + " comes for " +
+std::string shift_text(const Shift& shift, const dmx::Statistics& statistics, const Arriving& arriving,
+                       const PatchMap& patch) {
+    std::string text = "off by one? " + std::string(dmx::protocol_name(shift.protocol)) +
+                       (arriving.by(shift.protocol) ? " comes for " : " is announced for ") +
                        universes_text(shift.arriving);
     const int offset = statistics.listening.artnet_offset;
     if (shift.protocol == dmx::Protocol::artnet)
         text += " (from Port-Address " + port_address_text(*shift.arriving.begin(), offset) + " on)";
+    if (const auto listed = arriving.listed.find(*shift.arriving.begin());
+        !arriving.by(shift.protocol) && listed != arriving.listed.end())
+        text += " by " + listed->second.who;
     text += ", fixtures are on " + universes_text(numbers_of(patch)) + ": ";
     if (shift.protocol == dmx::Protocol::artnet)
         return text + "--artnet-offset " + std::to_string(offset + shift.by) + " brings them together";
@@ -76,7 +81,7 @@ void add_patch(const dmx::Statistics& statistics, const Arriving& arriving, cons
             wanted.insert(universe + shift->by);
         }
         explained_patch.insert(wanted.begin(), wanted.end());
-        out.push_back(problem(Trouble::off_by_one, shift_text(*shift, statistics, patch), wanted));
+        out.push_back(problem(Trouble::off_by_one, shift_text(*shift, statistics, arriving, patch), wanted));
     }
     for (const Sentence& sentence : out)
         if (sentence.trouble == Trouble::wrong_interface || sentence.trouble == Trouble::held_back)
@@ -107,18 +112,21 @@ void add_patch(const dmx::Statistics& statistics, const Arriving& arriving, cons
     // What is only announced, where nothing else explains what is missing.
     std::set<int> only_announced;
     if (!missing.empty() && elsewhere.empty())
-        for (const auto& [universe, from] : arriving.listed)
+        for (const auto& [universe, one] : arriving.listed)
             if (!patch.has(universe) && !explained_arriving.contains(universe))
                 only_announced.insert(universe);
     const std::string wants = missing.empty() ? "" : "; the show wants " + universes_text(missing);
     if (!only_announced.empty())
         out.push_back(problem(Trouble::not_patched,
-                              arriving.listed.at(*only_announced.begin()) + " announces " +
-                                  universes_text(only_announced) + ", nothing is patched there" + wants,
+                              arriving.announced_text(only_announced) + ", nothing is patched there" + wants,
                               missing));
     if (elsewhere.empty()) return;
-    std::string text = "packets for " + universes_text(elsewhere) + " arrive (" +
-                       arriving.universes.at(*elsewhere.begin()) + "), nothing is patched there" + wants;
+    std::string who = arriving.universes.at(*elsewhere.begin());
+    if (std::any_of(elsewhere.begin(), elsewhere.end(),
+                    [&](int universe) { return arriving.universes.at(universe) != who; }))
+        who += " and others";
+    std::string text = "packets for " + universes_text(elsewhere) + " arrive (" + who +
+                       "), nothing is patched there" + wants;
     if (const auto artnet = arriving.by_protocol.find(dmx::Protocol::artnet);
         artnet != arriving.by_protocol.end())
         text += swapped_text(artnet->second, missing, statistics.listening.artnet_offset);

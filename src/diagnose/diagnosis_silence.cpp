@@ -85,8 +85,9 @@ void add_wrong_interface(const dmx::Statistics& statistics, const Arriving& arri
 void add_held_back(const dmx::Statistics& statistics, const Arriving& arriving, const PatchMap& patch,
                    Sentences& out) {
     std::map<std::string, std::set<int>> held;
-    for (const auto& [universe, who] : arriving.listed)
-        if (patch.has(universe) && !arriving.has(universe)) held[who].insert(universe);
+    for (const auto& [universe, one] : arriving.listed)
+        if (one.protocol == dmx::Protocol::sacn && patch.has(universe) && !arriving.has(universe))
+            held[one.who].insert(universe);
     for (const auto& [who, universes] : held)
         out.push_back(problem(
             Trouble::held_back,
@@ -98,16 +99,12 @@ void add_held_back(const dmx::Statistics& statistics, const Arriving& arriving, 
             universes));
 }
 
-// "; 'FOH' announces universes 100-103: --universes 100-103 joins them"; "" where nobody announces any.
-std::string announced_text(const Arriving& arriving) {
-    if (arriving.listed.empty()) return "";
-    std::set<int> universes;
-    for (const auto& [universe, who] : arriving.listed) universes.insert(universe);
-    const std::string text = universes_text(universes);
-    return "; " + arriving.listed.begin()->second + " announces " + text + ", which --universes can name";
+std::string joined_ports(bool sacn, bool artnet) {
+    return std::string(sacn ? "5568" : "") + (sacn && artnet ? " and " : "") + (artnet ? "6454" : "");
 }
 
-void add_nothing(const dmx::Statistics& statistics, const Arriving& arriving, Sentences& out) {
+void add_nothing(const dmx::Statistics& statistics, const Arriving& arriving, const PatchMap& patch,
+                 Sentences& out) {
     const dmx::Listening& listening = statistics.listening;
     const std::string refused = refused_text(statistics);
     if (!refused.empty()) {
@@ -117,17 +114,27 @@ void add_nothing(const dmx::Statistics& statistics, const Arriving& arriving, Se
         return;
     }
     const std::string others = others_text(statistics);
+    // A port that packets come by is closed by no firewall.
+    const std::string ports = joined_ports(listening.sacn && statistics.packets_sacn == 0,
+                                           listening.artnet && statistics.packets_artnet == 0);
     std::string text = (others.empty() ? "nothing arrives" : "no levels arrive" + others) +
-                       ": is the desk's output on, is it in this network, and is no firewall "
-                       "on UDP 5568 and 6454 in the way? We listen on " +
-                       addresses_text(statistics);
+                       ": is the desk's output on, is it in this network, " +
+                       (ports.empty() ? "does it send to a universe of ours"
+                                      : "and is no firewall on UDP " + ports + " in the way") +
+                       "? We listen on " + addresses_text(statistics);
     if (listening.wider > 0) text += ", also for " + count_text(listening.wider, "universe") + " around";
     if (const std::string broadcasts = listening.artnet ? broadcasts_text(statistics) : "";
         !broadcasts.empty())
         text += ". " + broadcasts;
-    text += announced_text(arriving);
+    std::set<int> listed;
+    for (const auto& [universe, one] : arriving.listed) listed.insert(universe);
+    if (!listed.empty())
+        text += "; " + arriving.announced_text(listed) +
+                (patch.universes().empty() ? ", which --universes can name" : "");
     if (others.empty()) // else packets get through
-        text += ". To tell them apart: where 'tcpdump -ni any udp port 5568 or udp port 6454' shows "
+        text += ". A desk on this very machine has to send unicast to 127.0.0.1: multicast of QLC+ does not "
+                "come back here"
+                ". To tell them apart: where 'tcpdump -ni any udp port 5568 or udp port 6454' shows "
                 "packets, a firewall of this machine drops them; where it shows none, they do not get here";
     out.push_back(problem(Trouble::nothing_arrives, text));
 }
@@ -140,10 +147,15 @@ void add_silence(const dmx::Statistics& statistics, const Arriving& arriving, co
     const std::size_t before = out.size();
     add_wrong_interface(statistics, arriving, patch, out);
     add_held_back(statistics, arriving, patch, out);
-    const bool elsewhere = !arriving.listed.empty() && !patch.universes().empty(); // add_patch names them
+    // Who sends sACN's lists sends levels, too: add_patch says where. A port of Art-Net may be idle.
+    const auto is_elsewhere = [&](const auto& one) {
+        return one.second.protocol == dmx::Protocol::sacn && !patch.has(one.first);
+    };
+    const bool elsewhere = !patch.universes().empty() &&
+                           std::any_of(arriving.listed.begin(), arriving.listed.end(), is_elsewhere);
     if (out.size() == before && !elsewhere && arriving.nothing() && statistics.lost.empty() &&
         (listening.sacn || listening.artnet))
-        add_nothing(statistics, arriving, out);
+        add_nothing(statistics, arriving, patch, out);
     for (const dmx::PortUser& user : statistics.port_users) {
         const auto sockets = std::find_if(statistics.sockets.begin(), statistics.sockets.end(),
                                           [&](const dmx::SocketStatus& s) { return s.port == user.port; });
@@ -161,7 +173,7 @@ void add_silence(const dmx::Statistics& statistics, const Arriving& arriving, co
             out.push_back(problem(Trouble::same_host,
                                   who +
                                       " runs on this machine: if it is the desk, its multicast does not come "
-                                      "back here (QLC+ and OLA switch that off): have it send unicast to "
+                                      "back here (QLC+ switches that off): have it send unicast to "
                                       "127.0.0.1"));
     }
 }

@@ -211,6 +211,36 @@ TEST(diagnosis, OffByOneByTheListOfASource) {
     EXPECT_EQ(network.troubles(), Troubles{Trouble::off_by_one});
 }
 
+// OLA sends Art-Net to those alone that asked for it, so of one that counts otherwise its replies alone come.
+TEST(diagnosis, WhatArtnetRepliesName) {
+    dmx::DiscoveredSource desk;
+    desk.name = "OLA";
+    desk.from = dmx::IpAddress(0xC0A80107);
+    desk.protocol = dmx::Protocol::artnet;
+    const auto names = [&](std::initializer_list<std::uint16_t> universes) {
+        desk.universes = std::make_shared<const std::vector<std::uint16_t>>(universes);
+        return std::vector{desk};
+    };
+    Network network({1});
+    network.statistics.discovered = names({2});
+    EXPECT_EQ(network.troubles(), (Troubles{Trouble::nothing_arrives, Trouble::off_by_one}))
+        << "it may be idle";
+    expect_words(network.text(Trouble::off_by_one),
+                 {"Art-Net is announced for universe 2", "Port-Address 0:0:1", "by 'OLA' (192.168.1.7)",
+                  "--artnet-offset 0"});
+    network.statistics.discovered = names({17});
+    EXPECT_EQ(network.troubles(), (Troubles{Trouble::nothing_arrives, Trouble::not_patched}));
+    expect_words(network.text(Trouble::not_patched), {"announces universe 17", "the show wants universe 1"});
+    network.statistics.packets_artnet = 7;
+    network.statistics.discovered = names({1});
+    EXPECT_EQ(network.troubles(), Troubles{Trouble::nothing_arrives}) << "no switch holds Art-Net back";
+    expect_words(network.text(Trouble::nothing_arrives),
+                 {"'OLA' (192.168.1.7) announces universe 1", "firewall on UDP 5568 in the way"});
+    network.sends({1});
+    network.statistics.discovered = names({2});
+    EXPECT_EQ(network.troubles(), Troubles{}) << "a node's input beside a desk that lights the show";
+}
+
 TEST(diagnosis, ALostUniverse) {
     Network network({3, 4});
     network.sends({4});
@@ -300,6 +330,12 @@ TEST(diagnosis, WhatASourceAnnouncesAndDoesNotArrive) {
     EXPECT_EQ(network.troubles(), Troubles{Trouble::not_patched});
     expect_words(network.text(Trouble::not_patched),
                  {"announces universes 7-8", "the show wants universe 1"});
+    dmx::DiscoveredSource backup = desk;
+    backup.name = "Backup";
+    backup.universes = std::make_shared<const std::vector<std::uint16_t>>(std::vector<std::uint16_t>{9});
+    network.statistics.discovered.push_back(backup);
+    expect_words(network.text(Trouble::not_patched), {"'Backup' (192.168.1.7) announces universe 9",
+                                                      "'FOH' (192.168.1.7) announces universes 7-8"});
     Network open;
     open.statistics.discovered = {desk};
     expect_words(open.text(Trouble::nothing_arrives), {"announces universes 7-8", "--universes"});

@@ -48,7 +48,7 @@ std::vector<DiscoveredSource> Discovery::list(std::chrono::nanoseconds now) cons
     std::vector<DiscoveredSource> result;
     for (const auto& [key, source] : sources_)
         result.push_back({source_id(key), source.name, source.from,
-                          source.universes ? source.universes : kNone, now - source.last});
+                          source.universes ? source.universes : kNone, now - source.last, key.protocol});
     return result;
 }
 

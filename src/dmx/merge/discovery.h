@@ -1,8 +1,9 @@
 #pragma once
 // SPDX-License-Identifier: Apache-2.0
 // Discovery: the lists of universes that sACN sources announce every 10 s (E1.31-2018 section 8, and its
-// draft of 2014): what is on the network, whether we listen to it or not. A list counts when all its pages
-// came. No clock. Bounded: kMaxDiscovered sources, of one with more pages than kMaxPages the first.
+// draft of 2014), and those that senders of Art-Net name in ArtPollReply: what is on the network, whether we
+// listen to it or not. A list counts when all its pages came. No clock. Bounded: kMaxDiscovered sources, of
+// one with more pages than kMaxPages the first.
 
 #include "dmx/wire/packet.h"
 
@@ -21,11 +22,12 @@ inline constexpr std::chrono::seconds kDiscoveryForgotten{25}; // two announceme
 
 // For people.
 struct DiscoveredSource {
-    std::string id; // CID as 32 hex digits
+    std::string id; // CID as 32 hex digits, or an address
     std::string name;
     IpAddress from;
     std::shared_ptr<const std::vector<std::uint16_t>> universes; // sorted, each once
     std::chrono::nanoseconds age{0};                             // since its last page
+    Protocol protocol = Protocol::sacn;
 };
 
 class Discovery {

@@ -79,7 +79,7 @@ std::optional<PollPacket> Intake::take(Bytes bytes, const Arrival& arrival) {
     } else if (const auto* sync = std::get_if<SyncPacket>(&parsed)) {
         merge_.feed(*sync, arrival.time);
     } else if (const auto* discovery = std::get_if<DiscoveryPacket>(&parsed)) {
-        discovery_.feed(*discovery, arrival.time);
+        (sacn ? discovery_ : nodes_).feed(*discovery, arrival.time);
     } else if (const auto* time = std::get_if<TimeCode>(&parsed)) {
         const std::uint64_t packets = counted_.timecode ? counted_.timecode->packets : 0;
         counted_.timecode = {*time, arrival.from, packets + 1, arrival.time};
@@ -115,6 +115,7 @@ void Intake::take_elsewhere(Bytes bytes, const Arrival& arrival) {
 void Intake::tick(std::chrono::nanoseconds now) {
     merge_.tick(now);
     discovery_.tick(now);
+    nodes_.tick(now);
     std::erase_if(unlisted_, [&](const auto& entry) { return now - entry.second.age > kUnlistedForgotten; });
     std::erase_if(elsewhere_, [&](const auto& entry) { return now - entry.second.age > kUnlistedForgotten; });
 }
@@ -137,6 +138,8 @@ void Intake::report(Statistics& statistics, std::chrono::nanoseconds now) const 
     statistics.lost = merge_.lost(now);
     statistics.sync = merge_.sync().list(now);
     statistics.discovered = discovery_.list(now);
+    const std::vector<DiscoveredSource> nodes = nodes_.list(now);
+    statistics.discovered.insert(statistics.discovered.end(), nodes.begin(), nodes.end());
     statistics.unlisted_universes.clear();
     for (const auto& [key, entry] : unlisted_) {
         statistics.unlisted_universes.push_back(entry);

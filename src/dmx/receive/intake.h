@@ -62,7 +62,7 @@ private:
 
     IntakeOptions options_;
     Merge merge_;
-    Discovery discovery_;
+    Discovery discovery_, nodes_;                                             // of sACN, of Art-Net
     Statistics counted_;                                                      // the counters of packets
     std::map<std::pair<std::uint16_t, Protocol>, UnlistedUniverse> unlisted_; // age: arrival
     std::map<std::tuple<unsigned, std::uint16_t, Protocol>, ElsewhereUniverse> elsewhere_; // age: arrival

@@ -26,7 +26,8 @@ std::vector<std::uint16_t> wider_universes(const std::vector<std::uint16_t>& sil
     }
     for (int universe = 1; universe <= kFirst / 2; ++universe) add(universe);
     for (const DiscoveredSource& source : discovered)
-        for (const int universe : *source.universes) add(universe);
+        if (source.protocol == Protocol::sacn)
+            for (const int universe : *source.universes) add(universe);
     for (int universe = 1; universe <= kFirst; ++universe) add(universe);
     return {chosen.begin(), chosen.end()};
 }

@@ -32,6 +32,41 @@ Parsed parse_poll(ByteReader reader) {
     return poll.first <= poll.last ? Parsed(poll) : Parsed(Drop::bad_value);
 }
 
+std::string text_of(Bytes bytes) {
+    return {bytes.begin(), std::find(bytes.begin(), bytes.end(), std::uint8_t{0})};
+}
+
+// Carries no protocol version. Of interest is who brings levels into Art-Net: nodes that only give them out,
+// and replies that end before they say it, are counted alone.
+Parsed parse_poll_reply(ByteReader reader, const IpAddress& from, int universe_offset) {
+    constexpr std::size_t kPorts = 4;
+    constexpr std::uint8_t kBringsIn = 0x40, kSwitchedOff = 0x08;
+    reader.skip(4 + 2 + 2); // address, port, version
+    const int net = reader.u8() & 0x7F;
+    const int sub_net = reader.u8() & 0x0F;
+    reader.skip(2 + 1 + 1 + 2); // OEM, UBEA, Status1, ESTA
+    const std::string short_name = text_of(reader.take(18)), long_name = text_of(reader.take(64));
+    reader.skip(64); // report
+    const std::size_t ports = std::min<std::size_t>(reader.u16_be(), kPorts);
+    const Bytes types = reader.take(kPorts), inputs = reader.take(kPorts);
+    reader.skip(kPorts); // GoodOutputA
+    const Bytes addresses = reader.take(kPorts);
+    if (!reader.ok()) return Notice::poll_reply;
+    DiscoveryPacket packet;
+    for (std::size_t i = 0; i < ports; ++i) {
+        const int universe = (net << 8 | sub_net << 4 | (addresses[i] & 15)) + universe_offset;
+        const bool brings_in = (types[i] & kBringsIn) != 0 && (inputs[i] & kSwitchedOff) == 0;
+        if (brings_in && universe >= 1 && universe <= kMaxUniverse)
+            packet.universes.push_back(static_cast<std::uint16_t>(universe));
+    }
+    if (packet.universes.empty()) return Notice::poll_reply;
+    reader.skip(kPorts + 3 + 3 + 1 + 6 + 4); // SwOut; to Style; MAC, BindIp
+    packet.source = key_of(from, reader.u8());
+    packet.source_name = long_name.empty() ? short_name : long_name;
+    packet.from = from;
+    return packet;
+}
+
 Parsed parse_timecode(ByteReader reader) {
     TimeCode time;
     reader.skip(1);
@@ -89,7 +124,7 @@ Parsed parse_artnet(Bytes bytes, const IpAddress& from, int universe_offset) {
     const std::uint16_t opcode = reader.u16_le();
     if (!reader.ok()) return Drop::too_short;
     if (!std::equal(identifier.begin(), identifier.end(), kArtnetIdentifier)) return Drop::not_ours;
-    if (opcode == kPollReply) return Notice::poll_reply; // carries no protocol version
+    if (opcode == kPollReply) return parse_poll_reply(reader, from, universe_offset);
     const std::uint16_t version = reader.u16_be();
     if (!reader.ok()) return Drop::too_short;
     if (version < 14) return Drop::bad_version;

@@ -55,7 +55,8 @@ const char* drop_name(Drop drop) {
 
 std::optional<Notice> notice_of(const Parsed& parsed) {
     if (std::holds_alternative<SyncPacket>(parsed)) return Notice::sync;
-    if (std::holds_alternative<DiscoveryPacket>(parsed)) return Notice::discovery;
+    if (const auto* discovery = std::get_if<DiscoveryPacket>(&parsed))
+        return discovery->source.protocol == Protocol::artnet ? Notice::poll_reply : Notice::discovery;
     if (std::holds_alternative<PollPacket>(parsed)) return Notice::poll;
     if (std::holds_alternative<TimeCode>(parsed)) return Notice::timecode;
     if (std::holds_alternative<Trigger>(parsed)) return Notice::trigger;

@@ -68,7 +68,8 @@ struct SyncPacket {
     std::uint8_t sequence = 0; // sACN
 };
 
-// A page of the list of universes that an sACN source sends.
+// A page of the list of universes that an sACN source sends, or those that somebody says in an ArtPollReply
+// to bring into Art-Net: its ports of input that are not switched off (universe_offset as in parse_artnet).
 struct DiscoveryPacket {
     SourceKey source;
     std::string source_name;

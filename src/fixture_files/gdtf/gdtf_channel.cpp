@@ -42,6 +42,16 @@ bool says(const std::string& name, const char* word) {
     return lower(name).find(word) != std::string::npos;
 }
 
+// A strobe of one rate whose name says that the light is off, or on, is none.
+void repair_strobe(ChannelFunction& function) {
+    if (function.meaning.role != Role::strobe || function.physical_from != function.physical_to) return;
+    const bool off = says(function.name, "light off") || says(function.name, "clos");
+    const bool on = says(function.name, "light on") || says(function.name, "open");
+    if (off == on) return;
+    function.meaning.role = Role::shutter;
+    function.physical_from = function.physical_to = on ? 1.0f : 0.0f;
+}
+
 // Real files leave physical values at the default 0..1 where that makes no sense.
 void repair_physical(GdtfReader& reader, pugi::xml_node node, ChannelFunction& function) {
     const bool is_default = function.physical_from == 0.0f && function.physical_to == 1.0f;
@@ -80,8 +90,16 @@ void repair_physical(GdtfReader& reader, pugi::xml_node node, ChannelFunction& f
                        " degrees");
         function.physical_from = function.physical_to = deg;
     }
-    if (role == Role::shutter && says(function.name, "open")) function.physical_from = 1.0f;
-    if (role == Role::shutter && says(function.name, "clos")) function.physical_to = 0.0f;
+    // A name that says one of both is believed, unless the function or a set of it says the other.
+    const auto is_said = [&](const char* word) {
+        const auto sets = node.children("ChannelSet");
+        return says(function.name, word) ||
+               std::any_of(sets.begin(), sets.end(),
+                           [&](const pugi::xml_node& set) { return says(reader.text(set, "Name"), word); });
+    };
+    if (role != Role::shutter) return;
+    if (says(function.name, "open") && !is_said("clos")) function.physical_from = 1.0f;
+    if (says(function.name, "clos") && !is_said("open")) function.physical_to = 0.0f;
 }
 
 void read_sub_sets(GdtfReader& reader, pugi::xml_node node, ChannelFunction& function) {
@@ -153,6 +171,7 @@ ChannelFunction read_function(GdtfReader& reader, pugi::xml_node node, int bytes
     function.profile_min = reader.number(node, "Min", function.physical_from, -kMaxPhysical, kMaxPhysical);
     function.profile_max = reader.number(node, "Max", function.physical_to, -kMaxPhysical, kMaxPhysical);
     read_sub_sets(reader, node, function);
+    repair_strobe(function);
     repair_physical(reader, node, function);
     return function;
 }
@@ -245,11 +264,19 @@ void read_sets(GdtfReader& reader, pugi::xml_node node, int bytes, ChannelFuncti
                                   share * (static_cast<double>(function.physical_to) -
                                            static_cast<double>(function.physical_from)));
     };
+    const auto is_open = [](const ChannelSet& set) { return says(set.name, "open"); };
+    const auto is_closed = [](const ChannelSet& set) { return says(set.name, "clos"); };
+    // A shutter with a set for each of both is open or closed there, not on its way.
+    const bool named = function.meaning.role == Role::shutter &&
+                       std::any_of(function.sets.begin(), function.sets.end(), is_open) &&
+                       std::any_of(function.sets.begin(), function.sets.end(), is_closed);
     for (std::size_t i = 0; i < function.sets.size(); ++i) {
         ChannelSet& set = function.sets[i];
         if (given[i]) continue;
         set.physical_from = physical_at(set.dmx_from);
         set.physical_to = physical_at(set.dmx_to);
+        if (named && is_open(set) != is_closed(set))
+            set.physical_from = set.physical_to = is_open(set) ? 1.0f : 0.0f;
     }
 }
 

@@ -157,9 +157,14 @@ constexpr const char* kSentences[] = {
     QT_TRANSLATE_NOOP("Sentence", "%1 has no cable, or what is at its other end is off"),
     QT_TRANSLATE_NOOP("Sentence", "nothing arrives: is the desk's output on, is it in this network, and is "
                                   "no firewall on UDP 5568 and 6454 in the way? We listen on %1"),
+    QT_TRANSLATE_NOOP("Sentence", "nothing arrives: is the desk's output on, is it in this network, and is "
+                                  "no firewall on UDP %1 in the way? We listen on %2"),
     QT_TRANSLATE_NOOP("Sentence",
                       "no levels arrive, though %1: is the desk's output on, is it in this network, and is "
-                      "no firewall on UDP 5568 and 6454 in the way? We listen on %2"),
+                      "no firewall on UDP %2 in the way? We listen on %3"),
+    QT_TRANSLATE_NOOP("Sentence",
+                      "no levels arrive, though %1: is the desk's output on, is it in this network, does it "
+                      "send to a universe of ours? We listen on %2"),
     QT_TRANSLATE_NOOP(
         "Sentence",
         "packets arrive, and none of them can be read as levels: %1. Whoever sends them has to be mended"),
@@ -169,7 +174,7 @@ constexpr const char* kSentences[] = {
         "unicast. Close the other one, or start again with --interface and an address of this machine"),
     QT_TRANSLATE_NOOP("Sentence",
                       "%1 runs on this machine: if it is the desk, its multicast does not come back here "
-                      "(QLC+ and OLA switch that off): have it send unicast to 127.0.0.1"),
+                      "(QLC+ switches that off): have it send unicast to 127.0.0.1"),
     QT_TRANSLATE_NOOP("Sentence", "%1 sends %2, but it comes in on %3, and we listen on %4 only: start with "
                                   "--interface %5, or without --interface"),
     QT_TRANSLATE_NOOP("Sentence",
@@ -177,6 +182,7 @@ constexpr const char* kSentences[] = {
                       "other addresses than ours (its output page says so), or a switch holds this multicast "
                       "back (IGMP snooping without a querier). Unicast to %3 gets past both"),
     QT_TRANSLATE_NOOP("Sentence", "off by one? %1 comes for %2, fixtures are on %3: %4"),
+    QT_TRANSLATE_NOOP("Sentence", "off by one? %1 is announced for %2 by %3, fixtures are on %4: %5"),
     QT_TRANSLATE_NOOP("Sentence", "--artnet-offset %1 brings them together"),
     QT_TRANSLATE_NOOP("Sentence", "move the desk's output or the show's patch by one"),
     QT_TRANSLATE_NOOP("Sentence", "%1 announces %2, nothing is patched there; the show wants %3"),
@@ -591,6 +597,11 @@ constexpr const char* kSentences[] = {
         "Sentence",
         "%1. Art-Net that a desk broadcasts to %2 (one in %3 with the mask 255.0.0.0) does not arrive at our "
         "address and mask, which take %4 and 255.255.255.255: give both machines one network and one mask"),
+    QT_TRANSLATE_NOOP("Sentence",
+                      "%1. A desk on this very machine has to send unicast to 127.0.0.1: multicast "
+                      "of QLC+ does not come back here. To tell them apart: where '%2' shows "
+                      "packets, a firewall of this machine drops them; where it shows none, they "
+                      "do not get here"),
 };
 
 } // namespace

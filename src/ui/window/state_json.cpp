@@ -154,6 +154,10 @@ QJsonObject state_json(const AppModel& app, const View& view) {
     if (const std::optional<Explained>& one = app.hovered(); one && one->fixture < show.fixtures.size())
         hovered = {{"name", QString::fromStdString(show.fixtures[one->fixture].name)},
                    {"why", QString::fromStdString(one->explanation.verdict)}};
+    QJsonObject explained; // of the one fixture that is selected
+    if (const Explained& one = app.explained(); !one.words.empty() && one.fixture < show.fixtures.size())
+        explained = {{"name", QString::fromStdString(show.fixtures[one.fixture].name)},
+                     {"why", QString::fromStdString(one.explanation.verdict)}};
     QJsonArray identify;
     int found = 0;
     for (const RdmHead& head : app.rdm().heads) {
@@ -180,6 +184,7 @@ QJsonObject state_json(const AppModel& app, const View& view) {
             {"received_plot", QString::fromStdString(app.plot().file)},
             {"selection", selection},
             {"hovered", hovered},
+            {"explained", explained},
             {"palettes", palettes},
             {"camera_pictures", static_cast<int>(app.camera_pictures().size())},
             {"by_hand", look_json(app.look(), show)},

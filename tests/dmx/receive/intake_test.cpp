@@ -28,6 +28,15 @@ struct Sample {
     Buffer bytes;
 };
 
+// Of one that brings levels into Art-Net by its first port.
+Buffer reply_of_a_sender() {
+    const auto reply = build_poll_reply({.ports = {{1}}});
+    Buffer bytes(reply.begin(), reply.end());
+    bytes[174] = 0x40; // PortTypes
+    bytes[186] = 6;    // SwIn
+    return bytes;
+}
+
 // One valid packet of each kind.
 std::vector<Sample> samples() {
     const std::array<std::uint8_t, 16> cid{9, 9};
@@ -52,6 +61,7 @@ std::vector<Sample> samples() {
         {"ArtDmx", Protocol::artnet, build_artdmx(0, Buffer(512, 200), 1)},
         {"ArtPoll", Protocol::artnet, artnet({0x00, 0x20, 0, 14, 0x20, 0, 0, 9, 0, 1})},
         {"ArtPollReply", Protocol::artnet, Buffer(reply.begin(), reply.end())},
+        {"ArtPollReply of a sender", Protocol::artnet, reply_of_a_sender()},
         {"ArtSync", Protocol::artnet, artnet({0x00, 0x52, 0, 14, 0, 0})},
         {"ArtTimeCode", Protocol::artnet, artnet({0x00, 0x97, 0, 14, 0, 0, 4, 3, 2, 1, 1})},
         {"ArtTrigger", Protocol::artnet, artnet({0x00, 0x99, 0, 14, 0, 0, 255, 255, 1, 5})},
@@ -93,14 +103,32 @@ TEST(Intake, valid_packets_are_all_understood) {
     }
     const Statistics statistics = rig.statistics();
     EXPECT_EQ(statistics.packets_sacn, 7u);
-    EXPECT_EQ(statistics.packets_artnet, 6u);
+    EXPECT_EQ(statistics.packets_artnet, 7u);
     ASSERT_TRUE(statistics.timecode.has_value());
     EXPECT_EQ(timecode_text(statistics.timecode->time), "01:02:03:04 EBU 25");
     ASSERT_EQ(statistics.triggers.size(), 1u);
     EXPECT_EQ(trigger_text(statistics.triggers[0].trigger), "macro 5");
     EXPECT_EQ(statistics.triggers[0].number, 1u);
-    EXPECT_EQ(statistics.discovered.size(), 1u);
+    EXPECT_EQ(statistics.discovered.size(), 2u); // a list of sACN, an ArtPollReply
     EXPECT_EQ(statistics.sync.size(), 2u);
+}
+
+TEST(Intake, who_brings_levels_into_artnet_is_known_for_a_while_and_to_a_limit) {
+    Rig rig;
+    for (std::uint32_t k = 0; k < 1000; ++k)
+        (void)rig.intake.take(reply_of_a_sender(), arrival(Protocol::artnet, kOther + k, rig.now));
+    const std::vector<DiscoveredSource> senders = rig.statistics().discovered;
+    ASSERT_EQ(senders.size(), kMaxDiscovered);
+    EXPECT_EQ(senders[0].protocol, Protocol::artnet);
+    EXPECT_EQ(*senders[0].universes, std::vector<std::uint16_t>{7});
+    EXPECT_EQ(rig.statistics().notices[static_cast<std::size_t>(Notice::poll_reply)], 1000u);
+    const Buffer list = build_sacn_discovery(std::vector<std::uint16_t>{7}, 0, 0, {9, 9}, "Other");
+    (void)rig.intake.take(list, arrival(Protocol::sacn, kOther, rig.now));
+    EXPECT_EQ(rig.statistics().discovered.size(), kMaxDiscovered + 1)
+        << "a list of sACN has places of its own";
+    rig.now += 26s;
+    rig.intake.tick(rig.now);
+    EXPECT_TRUE(rig.statistics().discovered.empty());
 }
 
 TEST(Intake, every_truncation_and_every_flipped_bit) {

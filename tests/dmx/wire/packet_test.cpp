@@ -298,6 +298,51 @@ TEST(Artnet, other_packets_and_reasons) {
     EXPECT_EQ(drop_of(parse_artnet(bytes)), Drop::not_ours);
 }
 
+// As OLA 0.10.9 sent it: four ports that go both ways, of which the input of the first is on, SwIn 1.
+TEST(Artnet, a_poll_reply_says_who_brings_in_what) {
+    Buffer reply = {'A', 'r',  't',  '-', 'N', 'e', 't', 0,    0x00, 0x21, 10,   93,   0,
+                    1,   0x36, 0x19, 0,   0,   0,   0,   0x04, 0x31, 0,    0xD2, 0x70, 0x7A};
+    const auto text = [&](const char* words, std::size_t size) {
+        const std::size_t end = reply.size() + size;
+        for (; *words != 0; ++words) reply.push_back(static_cast<std::uint8_t>(*words));
+        reply.resize(end);
+    };
+    text("short", 18);
+    text("test", 64);
+    text("#0001 [1] OLA", 64);
+    for (const int byte : {0, 4, 0xC0, 0xC0, 0xC0, 0xC0, 0, 8, 8, 8, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0})
+        reply.push_back(static_cast<std::uint8_t>(byte));
+    const std::size_t told = reply.size() - 4; // SwIn is there
+    reply.resize(239);
+    const IpAddress from(0x0A5D0001);
+    const auto universes = [&](const Buffer& bytes) {
+        const Parsed parsed = parse_artnet(bytes, from);
+        EXPECT_EQ(notice_of(parsed), Notice::poll_reply);
+        const auto* packet = std::get_if<DiscoveryPacket>(&parsed);
+        return packet ? packet->universes : std::vector<std::uint16_t>{};
+    };
+    const DiscoveryPacket ola = std::get<DiscoveryPacket>(parse_artnet(reply, from));
+    EXPECT_EQ(ola.source_name, "test");
+    EXPECT_EQ(ola.from, from);
+    EXPECT_EQ(ola.source.protocol, Protocol::artnet);
+    EXPECT_EQ(universes(reply), std::vector<std::uint16_t>{2});
+    for (std::size_t size = 10; size < reply.size(); ++size)
+        EXPECT_EQ(universes(Buffer(reply.begin(), reply.begin() + static_cast<long>(size))).size(),
+                  size < told ? 0u : 1u)
+            << size;
+    reply[18] = 3;    // NetSwitch
+    reply[19] = 2;    // SubSwitch
+    reply[179] = 0;   // the second input is on, too
+    reply[187] = 0xF; // SwIn
+    EXPECT_EQ(universes(reply), (std::vector<std::uint16_t>{0x321 + 1, 0x32F + 1}));
+    reply[173] = 1; // ports
+    EXPECT_EQ(universes(reply), std::vector<std::uint16_t>{0x321 + 1});
+    reply[174] = 0x80; // gives out alone
+    EXPECT_EQ(universes(reply), std::vector<std::uint16_t>{});
+    const auto ours = build_poll_reply({.ports = {{1}}});
+    EXPECT_EQ(universes(Buffer(ours.begin(), ours.end())), std::vector<std::uint16_t>{});
+}
+
 TEST(Artnet, a_poll_may_name_the_ports_it_means) {
     Buffer bytes = {'A',  'r',  't',  '-',  'N',  'e',  't',  0,    0x00,
                     0x20, 0x00, 0x0e, 0x20, 0x00, 0x01, 0x10, 0x01, 0x00};

@@ -427,6 +427,45 @@ TEST(whole_gdtf, links_may_differ_in_case) {
     EXPECT_EQ(file.type.modes[0].channels[0].functions[0].meaning.role, Role::color_add);
 }
 
+// As files of SGM (a function "Open" with a set "Closed"), Robe (both words in the name) and ADB (a strobe
+// that is called "Light Off") have it.
+TEST(whole_gdtf, a_shutter_is_closed_where_a_name_says_so) {
+    Description description;
+    description.channels =
+        channel_of("Shutter1",
+                   "<ChannelFunction Name='Open' Attribute='Shutter1'>"
+                   "<ChannelSet Name='Closed' DMXFrom='0/1'/><ChannelSet Name='Open' DMXFrom='5/1'/>"
+                   "</ChannelFunction><ChannelFunction Attribute='Shutter1Strobe' DMXFrom='10/1' "
+                   "PhysicalFrom='10' PhysicalTo='0.1'/>") +
+        channel_of("Shutter1", "<ChannelFunction Name='Open/Closed' Attribute='Shutter1'/>", "2") +
+        channel_of("Shutter1", "<ChannelFunction Name='Open' Attribute='Shutter1'/>", "3") +
+        channel_of(
+            "Shutter1",
+            "<ChannelFunction Name='Light Off' Attribute='Shutter1Strobe' PhysicalFrom='0' PhysicalTo='0'/>"
+            "<ChannelFunction Name='Strobe' Attribute='Shutter1Strobe' DMXFrom='4/1' PhysicalFrom='1' "
+            "PhysicalTo='16'/><ChannelFunction Name='Light ON' Attribute='Shutter1Strobe' DMXFrom='104/1' "
+            "PhysicalFrom='1' PhysicalTo='1'/>",
+            "4");
+    const LoadedType file = loaded(description);
+    const auto physical = [&](std::size_t channel, int value) {
+        std::vector<std::uint8_t> levels(4, 0);
+        levels[channel] = static_cast<std::uint8_t>(value);
+        return readings_of(file.type, levels).at(channel).physical;
+    };
+    for (const int value : {0, 2, 4}) EXPECT_EQ(physical(0, value), 0.0f) << value;
+    for (const int value : {5, 7, 9}) EXPECT_EQ(physical(0, value), 1.0f) << value;
+    EXPECT_EQ(physical(0, 10), 10.0f);
+    EXPECT_EQ(physical(1, 0), 0.0f);
+    EXPECT_EQ(physical(1, 255), 1.0f);
+    for (const int value : {0, 255}) EXPECT_EQ(physical(2, value), 1.0f) << value;
+    const std::vector<ChannelFunction>& strobe = file.type.modes.at(0).channels.at(3).functions;
+    EXPECT_EQ(strobe.at(0).meaning.role, Role::shutter);
+    EXPECT_EQ(strobe.at(1).meaning.role, Role::strobe);
+    EXPECT_EQ(strobe.at(2).meaning.role, Role::shutter);
+    EXPECT_EQ(physical(3, 2), 0.0f);
+    EXPECT_EQ(physical(3, 200), 1.0f);
+}
+
 TEST(whole_gdtf, below_the_first_function_a_dimmer_is_dark_and_a_strobe_is_still) {
     Description description;
     description.channels =

@@ -52,11 +52,14 @@ mkdir "$work/film"
 ip netns exec $VIS "$ghostlight" render "$source_dir/assets/demo" -o "$work/film/f.png" --view house --live-input --seconds 9 \
     --interface net0 --universes 1 --quiet --json >"$work/figures.json" || fail "render --live-input"
 cat "$work/figures.json"
-/usr/bin/python3 - "$work/film" <<'P' || fail "colours of the film"
-import glob, sys
+/usr/bin/python3 - "$work/film" "$work/figures.json" <<'P' || fail "colours of the film"
+import glob, json, os, sys
 from PIL import Image, ImageStat
 names = sorted(glob.glob(sys.argv[1] + '/*.png'))
 assert len(names) >= 10, len(names)
+figures = json.load(open(sys.argv[2]))
+assert figures['out'] == names[0], figures  # f.png itself is not there
+assert figures['written'] == names[0] + ' to ' + os.path.basename(names[-1]), figures
 colours = []
 for name in names:
     picture = Image.open(name).convert('RGB')

@@ -18,6 +18,9 @@ STANDARD = {
     "show": None,  # None: live; else frames of a recording, explained only
     "gdtf": None,  # another file of the fixtures
     "firewall": False,
+    "ola": None,  # OLA (real_desks.ola)
+    "qlc": None,  # QLC+ (real_desks.qlc)
+    "at_s": 0.1,  # of it
     "once": False,  # it happens while somebody looks: who comes later sees something else
 }
 
@@ -107,6 +110,10 @@ MISTAKES = [
     ("byte_order", "the desk sends the fine byte of a 16-bit dimmer first", {"gdtf": "Ghostlight@Dimmer_Lamp.gdtf", "toml": 'mode = "16 bit"\n',
      "send": [sacn(levels={2: 255})]}, "explain:dimmer", ["coarse byte is at 0", "16-bit order"]),
     ("shutter", "the shutter is closed", with_levels(a11=4), "explain:shutter", ["'Closed'", "channel 11 (1.11)"]),
+    ("strobe", "the strobe is at its slowest, and between two flashes", {"show": [(1, {**OPEN, 11: 13})] * 4, "at_s": 0.8}, "explain:strobe",
+     ["between two flashes", "'Strobe'", "channel 11 (1.11)", "flashes 1 times a second"]),
+    ("lamp_off", "the lamp was put out by its control channel", with_levels(a22=168), "explain:lamp",
+     ["the lamp is told to go off", "'Lamp off'", "channel 22 (1.22), value 168"]),
     ("parked", "cyan, magenta and yellow are parked at full", with_levels(a6=255, a7=255, a8=255), "explain:colour", ["cyan 100 %", "magenta 100 %"]),
     ("one_address_off", "the desk's patch is one address off", {"send": [sacn(levels={key + 1: value for key, value in OPEN.items()})]}, "explain:dimmer",
      ["channel 1 (1.1) is at 0"]),
@@ -132,6 +139,7 @@ WELL = [
     ("live and preview in one row of numbers", {"send": [sacn(blind_every=3)]}),
     ("other start codes in one row of numbers", {"send": [sacn(text_every=3)]}),
     ("synchronised", {"send": [sacn(sync=10)]}),
+    ("levels name a synchronisation that never comes: shown at once", {"send": [sacn(sync=10, sync_stops_s=0)]}),
     ("priority per address", {"send": [sacn(per_address=100)]}),
     ("a desk that sends more than is patched", {"send": [sacn(), sacn(9), sacn(30)]}),
     ("the right one of two interfaces", {"options": ["--interface", "net0"]}),

@@ -10,8 +10,15 @@ import time
 
 import needs
 
-PLUGINS = ("dummy e131 espnet ftdidmx gpio karate kinet milinst nanoleaf opendmx openpixelcontrol osc pathport renard sandnet shownet spi "
+PLUGINS = ("artnet dummy e131 espnet ftdidmx gpio karate kinet milinst nanoleaf opendmx openpixelcontrol osc pathport renard sandnet shownet spi "
            "stageprofi uartdmx usbdmx usbserial").split()
+
+SETTINGS = {
+    "artnet": {"always_broadcast": "false", "long_name": "test", "net": 0, "short_name": "test", "subnet": 0, "use_limited_broadcast": "false",
+               "use_loopback": "false"},
+    "e131": {"cid": "00010203-0405-0607-0809-0a0b0c0d0e0f", "draft_discovery": "false", "dscp": 0, "ignore_preview": "true", "input_ports": 4,
+             "prepend_hostname": "false", "revision": "0.46"},
+}
 
 
 def ip(*words):
@@ -56,25 +63,30 @@ def namespaces():
             subprocess.run(["ip", "netns", "del", name], capture_output=True)
 
 
-@contextlib.contextmanager
-def olad(namespace, folder):
-    """Runs it, its output at our universe 2; yields what runs a command beside it and returns what that said."""
+def daemon_of(folder, plugin, **settings):
+    """The words that run it with this plugin alone, at 10.93.0.1 unless told otherwise."""
     conf = pathlib.Path(folder) / "ola"
     conf.mkdir()
-    for plugin in PLUGINS:
-        (conf / f"ola-{plugin}.conf").write_text("enabled = false\n")
-    (conf / "ola-artnet.conf").write_text("always_broadcast = false\nenabled = true\nip = 10.93.0.1\nlong_name = test\nnet = 0\noutput_ports = 4\n"
-                                          "short_name = test\nsubnet = 0\nuse_limited_broadcast = false\nuse_loopback = false\n")
+    for other in PLUGINS:
+        (conf / f"ola-{other}.conf").write_text("enabled = false\n")
+    lines = {"enabled": "true", "ip": "10.93.0.1", "output_ports": 4, **SETTINGS[plugin], **settings}
+    (conf / f"ola-{plugin}.conf").write_text("".join(f"{name} = {value}\n" for name, value in sorted(lines.items())))
     user = "olad" if subprocess.run(["id", "olad"], capture_output=True).returncode == 0 else "nobody"
     pathlib.Path(folder).chmod(0o755)
     subprocess.run(["chown", "-R", user, conf], check=True)
+    return ["setpriv", f"--reuid={user}", "--regid=nogroup", "--clear-groups", "olad", "--no-http", "--no-register-with-dns-sd", "-l", "2", "-c", conf]
+
+
+@contextlib.contextmanager
+def olad(namespace, folder):
+    """Runs it, its output at our universe 2; yields what runs a command beside it and returns what that said."""
+    words = daemon_of(folder, "artnet")
 
     def desk(*words, limit_s=120):
         done = subprocess.run(inside(namespace, *words), capture_output=True, text=True, timeout=limit_s)
         return done.stdout + done.stderr
 
-    daemon = subprocess.Popen(inside(namespace, "setpriv", f"--reuid={user}", "--regid=nogroup", "--clear-groups", "olad", "--no-http",
-                                     "--no-register-with-dns-sd", "-l", "2", "-c", conf), stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    daemon = subprocess.Popen(inside(namespace, *words), stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
     try:
         wait("olad runs", lambda: "ArtNet" in desk("ola_dev_info"))
         number = re.search(r"Device (\d+)[^\n]*ArtNet", desk("ola_dev_info")).group(1)

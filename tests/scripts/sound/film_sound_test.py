@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
 """Films with sound: a lamp flashes in the recording when a clap is in the sound; FFmpeg's own program finds both in the film within
-10 ms. A film made in parts has the bytes of the whole; a show without the key makes films without a sound; a sound that cannot be read is
+10 ms, of the demo, too. A film made in parts has the bytes of the whole; a show without the key makes films without a sound; a sound that cannot be read is
 one sentence. Usage: film_sound_test.py SOURCE_FOLDER BUILD_FOLDER."""
 import json
 import math
@@ -86,6 +86,25 @@ def kinds(film):
     return output("ffprobe", "-v", "error", "-show_entries", "stream=codec_type,codec_name", "-of", "csv=p=0", film).decode().split()
 
 
+def demo_with_a_clap(folder):
+    """The demo, whose washes light the cyclorama when the clap is heard."""
+    sys.path.insert(0, str(SOURCE / "tools/demo_show"))
+    from desk_looks import red_and_blue  # noqa: E402  (the folder is known only now)
+    from rig import DIM, NAMES, RIG  # noqa: E402
+    shutil.copytree(SOURCE / "assets/demo", folder / "demo", ignore=shutil.ignore_patterns(".ghost"))
+    (folder / "fixtures").symlink_to(SOURCE / "assets/fixtures")
+    lit = red_and_blue()[0]
+    dark = list(lit)
+    for wash in (5, 6, 7):
+        dark[RIG[NAMES[wash]][3] - 1 + DIM] = 0
+    looks = ((dark, round(FLASH_S * 1000)), (lit, 1500), (lit, 0))
+    (folder / "demo/demo.show").write_text("OLA Show\n" + "".join(f"1 {','.join(map(str, look))}\n{ms}\n" for look, ms in looks))
+    text = (folder / "demo/show.toml").read_text()
+    (folder / "demo/show.toml").write_text(text.replace("[show]", '[show]\nsound = "clap.wav"', 1))
+    write_clap(folder / "demo/clap.wav", FLASH_S)
+    return folder / "demo"
+
+
 needs.packages("ffmpeg")
 work = pathlib.Path(tempfile.mkdtemp(prefix="ghost-sound-"))
 ghost = Ghostlight(BUILD / "ghostlight", dict(os.environ), work)
@@ -115,6 +134,11 @@ try:
     ghost.run("render", show, "-o", "cut.mp4", *FILM, "--farm", "local")
     assert (work / "cut.mp4").read_bytes() == (work / "whole.mp4").read_bytes()
     print("made once more, and by a farm: the same bytes")
+
+    ghost.run("render", demo_with_a_clap(work), "-o", "demo.mp4", "--view", "house", "--size", "96x54", *FILM)
+    seen, heard = seen_s(work / "demo.mp4"), heard_s(work / "demo.mp4")
+    print(f"the demo: seen at {1000 * seen:.1f} ms, heard at {1000 * heard:.1f} ms of the film")
+    assert abs(seen - (FLASH_S - FROM_S)) < 1e-3 and abs(heard - seen) < 0.010, (seen, heard)
 
     write_clap(show / "clap.wav", FLASH_S)
     ghost.run("render", show, "-o", "moved.mp4", *FILM)
