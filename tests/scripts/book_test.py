@@ -34,6 +34,8 @@ look = "Blue"
 
 [[cue]]
 name = "Finale"
+number = "47.5"
+page = "12"
 at_s = 36
 camera = "close"
 '''
@@ -130,8 +132,18 @@ class Book(unittest.TestCase):
 
     def test_can_be_printed(self):
         text = pdf_text(WORK / "book/book.pdf")
-        for part in ("1. Opening <b>", "2. Blue", "3. Finale", "page 1 of 1", "Spot 1:"):
+        for part in ("1. Opening <b>", "2. Blue", "47.5. Finale", "page 12 of the script", "page 1 of 1", "Spot 1:"):
             self.assertIn(part, text)
+
+    def test_as_a_grid_it_has_the_pictures_alone(self):
+        code, text = run("book", self.show, "-o", WORK / "grid", "--pdf", "--layout", "grid", *SIZE)
+        self.assertEqual(code, 0, text)
+        text = pdf_text(WORK / "grid/book.pdf")
+        for part in ("1. Opening <b>", "2. Blue", "47.5. Finale", "page 1 of 1"):
+            self.assertIn(part, text)
+        self.assertNotIn("Spot 1:", text)
+        page = Page(WORK / "grid/index.html")
+        self.assertEqual(page.sources, ["pictures/0001-1.png", "pictures/0002-1.png", "pictures/0003-1.png"])
 
     def test_equal_input_gives_equal_bytes(self):
         code, text = run("book", self.show, "-o", WORK / "again", "--pdf", *SIZE)

@@ -139,9 +139,9 @@ TEST_F(WebServer, what_is_malformed_ends_that_viewer_alone) {
     EXPECT_TRUE(good.is_closed());
 }
 
-TEST_F(WebServer, sixteen_look_on_and_the_seventeenth_does_not) {
+TEST_F(WebServer, twenty_look_on_and_the_next_one_does_not) {
     std::vector<std::unique_ptr<Peer>> peers;
-    for (int i = 0; i < kMostViewers; ++i) {
+    for (std::size_t i = 0; i < kMostViewers; ++i) {
         peers.push_back(std::make_unique<Peer>(server->port()));
         ASSERT_EQ(peers.back()->look_on(server->keys().token), 101) << i;
     }
