@@ -44,12 +44,12 @@ TEST(Difference, names_entries_that_are_new_gone_and_moved) {
 }
 
 TEST(Difference, matches_entries_by_number_then_by_name) {
-    Book old = book({"Dark", "Verse", "Dark", "Solo"}), now = book({"Dark", "Chorus", "Dark", "Dark", "Solo"});
+    Book old = book({"Dark", "Verse", "Dark", "Solo"}),
+         now = book({"Dark", "Chorus", "Dark", "Dark", "Solo"});
     for (std::size_t i = 0; i < 4; ++i) old.entries[i].number = std::to_string(i + 1);
     const char* const numbers[] = {"1", "2", "2.5", "3", "5"};
     for (std::size_t i = 0; i < 5; ++i) now.entries[i].number = numbers[i];
-    EXPECT_EQ(older_entries(old, now),
-              (std::vector<std::optional<std::size_t>>{0, 1, std::nullopt, 2, 3}));
+    EXPECT_EQ(older_entries(old, now), (std::vector<std::optional<std::size_t>>{0, 1, std::nullopt, 2, 3}));
     EXPECT_EQ(difference_of(old, now).entries, (Sentences{"'Dark' is new", "'Chorus' was called 'Verse'",
                                                           "'Solo' has the number '5', had '4'"}));
 }
