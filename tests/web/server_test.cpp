@@ -216,12 +216,12 @@ TEST_F(WebServer, who_closes_his_half_is_gone) {
 }
 
 TEST_F(WebServer, ten_thousand_lamps_with_endless_names_come_whole) {
-    constexpr std::size_t kLamps = 10'000, kLongNames = 1'000, kLetters = 10'000;
+    constexpr std::size_t kLamps = 10'000, kLongNames = 500, kLetters = 10'000;
     Peer peer(server->port());
     ASSERT_EQ(peer.look_on(server->keys().token), 101);
     auto show = std::make_shared<scene::Show>();
     show->fixtures.resize(kLamps);
-    for (std::size_t i = 0; i < kLongNames; ++i) show->fixtures[i].name = std::string(kLetters, 'x');
+    for (std::size_t i = 0; i < kLongNames; ++i) show->fixtures[i].name = std::string(kLetters, 'Z');
     ui::Opened opened;
     opened.show = show;
     link.opened.put(opened);
@@ -230,7 +230,7 @@ TEST_F(WebServer, ten_thousand_lamps_with_endless_names_come_whole) {
     do frame = peer.frame();
     while (frame.opcode != 0 && frame.opcode != 8 && frame.payload.size() < kLongNames * kLetters);
     ASSERT_EQ(frame.opcode, 1);
-    EXPECT_EQ(std::count(frame.payload.begin(), frame.payload.end(), 'x'),
+    EXPECT_EQ(std::count(frame.payload.begin(), frame.payload.end(), 'Z'),
               static_cast<std::ptrdiff_t>(kLongNames * kLetters));
     put_picture();
     EXPECT_FALSE(peer.hear_bytes(1).empty()) << "and the line goes on";
