@@ -150,14 +150,6 @@ class Book(unittest.TestCase):
         self.assertEqual(code, 0, text)
         self.assertEqual(contents(WORK / "again"), contents(WORK / "book"))
 
-    def test_a_moment_has_the_same_bytes_after_any_other(self):
-        moments = show("moments", "".join(f"\n[[cue]]\nname = 'Cue {k}'\nat_s = {at}\n" for k, at in enumerate((87.6, 77.8, 20, 87.6, 20))))
-        code, text = run("book", moments, "-o", WORK / "moments_book", "--view", "house", "--size", "320x180")
-        self.assertEqual(code, 0, text)
-        pictures = [(WORK / f"moments_book/pictures/{k:04}-1.png").read_bytes() for k in range(1, 6)]
-        self.assertEqual(pictures[0], pictures[3])
-        self.assertEqual(pictures[2], pictures[4])
-
     def test_one_lamp_dimmed_shows_in_its_entry_and_in_no_other(self):
         # The look stays in the last cue, too: another camera, where Spot 1 is in the picture as well.
         dimmed = show("dimmed", CUES.replace('camera = "close"', 'camera = "close"\nlook = "None"'), level=0.4)

@@ -252,7 +252,6 @@ Result<DrawnBook> BookDrawing::draw(const fs::path& folder, const BookFrame* giv
         for (std::size_t k = 0; k < cameras.size(); ++k) {
             if (interrupted()) return interruption();
             session_->look_from(cameras[k]);
-            session_->relighter->forget(); // what is kept of another entry rounds otherwise
             session_->draw();
             char name[64];
             std::snprintf(name, sizeof name, "pictures/%04zu-%zu.png", i + 1, k + 1);
