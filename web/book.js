@@ -74,13 +74,14 @@ class Book extends HTMLElement {
   entry(entry, index) {
     const times = [
       entry.at_s === null ? "" : `at ${clock(entry.at_s)}`,
+      entry.page ? `page ${entry.page} of the script` : "",
       entry.fade_s === null ? "" : entry.fade_s > 0 ? `fades ${entry.fade_s} s` : "at once",
       entry.follow_s === null ? "" : `the next one follows after ${entry.follow_s} s`,
       entry.look ? `look ${entry.look}` : "",
     ].filter(Boolean);
     const changes = entry.changes.map((/** @type {any} */ change) => `${names(change.fixtures)}: ${change.what}`);
     return make(
-        "article", {class: "entry"}, make("h2", {}, `${index + 1}. ${entry.name}`),
+        "article", {class: "entry"}, make("h2", {}, `${entry.number || index + 1}. ${entry.name}`),
         ...(times.length ? [make("p", {class: "quiet"}, times.join(" \u00b7 "))] : []),
         ...(entry.notes ? [make("p", {}, entry.notes)] : []),
         make(

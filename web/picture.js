@@ -78,7 +78,7 @@ class Picture extends HTMLElement {
     const isOld = newest.number > 0 && !now.isOpen && sinceMs > OLD_MS;
     this.classList.toggle("old", isOld);
     if (newest.number === 0)
-      this.when.textContent = "no picture yet";
+      this.when.textContent = now.show ? "no picture yet" : "the show is being opened";
     else if (isOld)
       this.when.textContent = `${Math.round(sinceMs / 1000)} s old`;
     else if (newest.flags & 4)

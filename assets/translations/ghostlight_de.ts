@@ -958,6 +958,14 @@
         <source>Next: %1, in %2 s</source>
         <translation>Nächster: %1, in %2 s</translation>
     </message>
+    <message>
+        <source>Number</source>
+        <translation>Nummer</translation>
+    </message>
+    <message>
+        <source>Page</source>
+        <translation>Seite</translation>
+    </message>
 </context>
 <context>
     <name>Export</name>
@@ -2762,6 +2770,18 @@
         <source>The first camera</source>
         <translation>Die erste Kamera</translation>
     </message>
+    <message>
+        <source>Layout</source>
+        <translation>Anordnung</translation>
+    </message>
+    <message>
+        <source>Four on a page, with what changes</source>
+        <translation>Vier auf einer Seite, mit dem, was sich ändert</translation>
+    </message>
+    <message>
+        <source>Twelve on a page</source>
+        <translation>Zwölf auf einer Seite</translation>
+    </message>
 </context>
 <context>
     <name>Programmer</name>
@@ -4475,10 +4495,6 @@
         <translation>ein Cue braucht einen Namen</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; is none of name, look, at, camera, flight, fade, follow and notes</source>
-        <translation>&apos;%1&apos; ist keines von name, look, at, camera, flight, fade, follow und notes</translation>
-    </message>
-    <message>
         <source>a cue needs a look, a camera or a place in the recording</source>
         <translation>ein Cue braucht einen Look, eine Kamera oder eine Stelle der Aufzeichnung</translation>
     </message>
@@ -5045,6 +5061,10 @@
     <message>
         <source>trackers may move what is on stage</source>
         <translation>Tracker können bewegen, was auf der Bühne steht</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is none of name, number, look, at, camera, flight, fade, follow, page and notes</source>
+        <translation>&apos;%1&apos; ist keines von name, number, look, at, camera, flight, fade, follow, page und notes</translation>
     </message>
 </context>
 <context>

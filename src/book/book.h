@@ -36,6 +36,8 @@ struct BookPicture {
 
 struct BookEntry {
     std::string name;
+    std::string number; // of the cue or mark, or ""
+    std::string page;   // of the script, or ""
     std::string notes;
     std::string look;              // that lies on what the recording says, or ""
     std::optional<double> at_s;    // of the recording
@@ -48,6 +50,10 @@ struct BookEntry {
 
     bool operator==(const BookEntry&) const = default;
 };
+
+// How its entries lie on a page: below one another with all that is known of them, or twelve, each with its
+// first picture.
+enum class BookLayout { list, grid };
 
 struct Book {
     std::string show;

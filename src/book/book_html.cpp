@@ -35,18 +35,37 @@ std::string anchor(std::size_t entry) {
     return "e" + std::to_string(entry + 1);
 }
 
+std::string title_of(const BookEntry& entry, std::size_t place) {
+    return html_text(entry_number(entry, place)) + ". " + html_name(entry.name);
+}
+
+std::string picture_of(const Book& book, const BookEntry& entry, const BookPicture& picture,
+                       const PrintStyle& style) {
+    return "<figure><img loading=\"lazy\" src=\"" + html_text(picture.file) + "\"" + size_of(book) +
+           " alt=\"" + html_text(style("%1 from %2", {entry.name, picture.camera})) + "\"><figcaption>" +
+           html_name(picture.camera) + "</figcaption></figure>\n";
+}
+
+std::string cell_of(const Book& book, std::size_t index, const PrintStyle& style) {
+    const BookEntry& entry = book.entries[index];
+    std::string text =
+        "<article class=\"entry\" id=\"" + anchor(index) + "\">\n<h2>" + title_of(entry, index) + "</h2>\n";
+    if (const std::string times = times_text(entry, style); !times.empty())
+        text += "<p class=\"of\">" + html_name(times) + "</p>\n";
+    text += list_of(entry.unknown, "unknown");
+    if (!entry.pictures.empty()) text += picture_of(book, entry, entry.pictures.front(), style);
+    return text + "</article>\n";
+}
+
 std::string section_of(const Book& book, std::size_t index, const PrintStyle& style) {
     const BookEntry& entry = book.entries[index];
-    std::string text = "<article class=\"entry\" id=\"" + anchor(index) + "\">\n<h2>" +
-                       std::to_string(index + 1) + ". " + html_name(entry.name) + "</h2>\n";
+    std::string text =
+        "<article class=\"entry\" id=\"" + anchor(index) + "\">\n<h2>" + title_of(entry, index) + "</h2>\n";
     if (const std::string times = times_text(entry, style); !times.empty())
         text += "<p class=\"of\">" + html_name(times) + "</p>\n";
     if (!entry.notes.empty()) text += "<p>" + html_name(entry.notes) + "</p>\n";
     text += "<div class=\"pictures\">\n";
-    for (const BookPicture& picture : entry.pictures)
-        text += "<figure><img loading=\"lazy\" src=\"" + html_text(picture.file) + "\"" + size_of(book) +
-                " alt=\"" + html_text(style("%1 from %2", {entry.name, picture.camera})) + "\"><figcaption>" +
-                html_name(picture.camera) + "</figcaption></figure>\n";
+    for (const BookPicture& picture : entry.pictures) text += picture_of(book, entry, picture, style);
     text += "</div>\n" + list_of(entry.unknown, "unknown");
     text += changes_of_entry(entry, index == 0, style);
     return text + "<p class=\"pencil\"></p><p class=\"pencil\"></p>\n</article>\n";
@@ -111,7 +130,7 @@ std::string difference_section(const Book& book, const BookDifference& differenc
 } // namespace
 
 std::string html_of(const Book& book, const BookDifference* difference, PaperSize paper,
-                    const PrintStyle& style) {
+                    const PrintStyle& style, BookLayout layout) {
     std::string page = html_begin(book.show + ": " + style("cue book"), paper, style.language);
     page += "<h1>" + html_name(book.show) + "</h1>\n<p class=\"of\">" +
             style(book.entries.size() == 1 ? Word("Cue book: 1 entry (%1), %2 fixtures.")
@@ -126,12 +145,13 @@ std::string html_of(const Book& book, const BookDifference* difference, PaperSiz
     page += "<nav aria-label=\"" + style("Entries") + "\">\n";
     if (difference) page += "<a href=\"#difference\">" + style("what changed since the older one") + "</a>\n";
     for (std::size_t i = 0; i < book.entries.size(); ++i)
-        page += "<a href=\"#" + anchor(i) + "\">" + std::to_string(i + 1) + ". " +
-                html_name(book.entries[i].name) + "</a>\n";
+        page += "<a href=\"#" + anchor(i) + "\">" + title_of(book.entries[i], i) + "</a>\n";
     page += "</nav>\n";
     if (difference) page += difference_section(book, *difference, style);
-    page += "<section>\n";
-    for (std::size_t i = 0; i < book.entries.size(); ++i) page += section_of(book, i, style);
+    const bool is_grid = layout == BookLayout::grid;
+    page += is_grid ? "<section class=\"grid\">\n" : "<section>\n";
+    for (std::size_t i = 0; i < book.entries.size(); ++i)
+        page += is_grid ? cell_of(book, i, style) : section_of(book, i, style);
     page += "</section>\n";
     if (difference) page += slider_script();
     return page + html_end();

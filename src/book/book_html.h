@@ -14,6 +14,6 @@ namespace ghost::scene {
 
 // difference: null, or from an older book.
 std::string html_of(const Book& book, const BookDifference* difference, PaperSize paper,
-                    const PrintStyle& style = {});
+                    const PrintStyle& style = {}, BookLayout layout = BookLayout::list);
 
 } // namespace ghost::scene

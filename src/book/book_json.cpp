@@ -39,6 +39,8 @@ Json json_of(const BookEntry& entry) {
     for (const BookChange& change : entry.changes)
         changes.push_back({{"fixtures", change.fixtures}, {"what", change.what}});
     return {{"name", entry.name},
+            {"number", entry.number},
+            {"page", entry.page},
             {"notes", entry.notes},
             {"look", entry.look},
             {"at_s", optional(entry.at_s)},
@@ -79,6 +81,8 @@ BookFixture fixture_from(const Json& all) {
 BookEntry entry_from(const Json& all) {
     BookEntry entry;
     entry.name = all.at("name").get<std::string>();
+    entry.number = all.value("number", ""); // which books had not always
+    entry.page = all.value("page", "");
     entry.notes = all.at("notes").get<std::string>();
     entry.look = all.at("look").get<std::string>();
     entry.at_s = optional_from<double>(all.at("at_s"));

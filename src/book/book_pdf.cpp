@@ -12,10 +12,10 @@ namespace ghost::scene {
 namespace {
 
 constexpr double kMargin_pt = 40, kHead_pt = 24, kGap_pt = 10;
-constexpr std::size_t kEntriesOfPage = 4;
+constexpr std::size_t kRowsOfPage = 4;
 constexpr std::size_t kMostPictures = 2; // of an entry; the page of the browser has all
 constexpr double kPictures_pt = 215;     // width of what stands left of the words
-constexpr double kPencil_pt = 16;
+constexpr double kPencil_pt = 16, kTimes_pt = 22;
 
 constexpr PdfText kTitle{.size_pt = 11, .is_bold = true};
 constexpr PdfText kSmall{.size_pt = 8, .is_grey = true};
@@ -23,21 +23,22 @@ constexpr PdfText kWords{.size_pt = 8.5};
 
 class BookPages {
 public:
-    BookPages(const Book& book, const std::filesystem::path& folder, PaperSize size, const PrintStyle& style)
-        : book_(book), folder_(folder), style_(style),
+    BookPages(const Book& book, const std::filesystem::path& folder, PaperSize size, const PrintStyle& style,
+              BookLayout layout)
+        : book_(book), folder_(folder), style_(style), columns_(layout == BookLayout::grid ? 3 : 1),
           pdf_(size, false, book.show + ": " + style("cue book")) {}
 
     Result<std::string> draw() {
-        const std::size_t pages =
-            std::max<std::size_t>(1, (book_.entries.size() + kEntriesOfPage - 1) / kEntriesOfPage);
+        const std::size_t of_page = kRowsOfPage * columns_;
+        const std::size_t pages = std::max<std::size_t>(1, (book_.entries.size() + of_page - 1) / of_page);
         for (std::size_t page = 0; page < pages; ++page) {
             draw_head(page, pages);
             const double top = kMargin_pt + kHead_pt;
-            const double height = (pdf_.height_pt() - top - kMargin_pt) / kEntriesOfPage;
-            for (std::size_t k = 0; k < kEntriesOfPage; ++k) {
-                const std::size_t entry = page * kEntriesOfPage + k;
-                if (entry < book_.entries.size())
-                    TRY_VOID(draw_entry(entry, top + static_cast<double>(k) * height, height - kGap_pt));
+            const double height = (pdf_.height_pt() - top - kMargin_pt) / kRowsOfPage;
+            for (std::size_t k = 0; k < of_page && page * of_page + k < book_.entries.size(); ++k) {
+                const double y = top + static_cast<double>(k / columns_) * height;
+                TRY_VOID(columns_ == 1 ? draw_entry(page * of_page + k, y, height - kGap_pt)
+                                       : draw_cell(page * of_page + k, k % columns_, y, height - kGap_pt));
             }
             pdf_.end_page();
         }
@@ -57,10 +58,38 @@ private:
         if (page == 0) pdf_.line_of_text(kMargin_pt, kMargin_pt + 4, width, said, kSmall);
     }
 
+    // Its title, which the list of contents has.
+    std::string begin_entry(std::size_t index) {
+        const BookEntry& entry = book_.entries[index];
+        std::string title = entry_number(entry, index) + ". " + entry.name;
+        pdf_.mark(title);
+        return title;
+    }
+
+    Result<void> draw_cell(std::size_t index, std::size_t column, double y, double height) {
+        const BookEntry& entry = book_.entries[index];
+        const double each = (pdf_.width_pt() - 2 * kMargin_pt + kGap_pt) / static_cast<double>(columns_);
+        const double x = kMargin_pt + static_cast<double>(column) * each, width = each - kGap_pt;
+        pdf_.line_of_text(x, y, width, begin_entry(index), kTitle);
+        std::string said = times_text(entry, style_);
+        for (const std::string& sentence : entry.unknown) said += (said.empty() ? "" : "; ") + sentence;
+        const double top = y + 16 + pdf_.text(x, y + 15, width, kTimes_pt, said, kSmall);
+        if (entry.pictures.empty()) return {};
+        return draw_picture(entry.pictures.front(), x, top, width, y + height - top - 10);
+    }
+
+    // With the name of its camera below.
+    Result<void> draw_picture(const BookPicture& picture, double x, double y, double width, double height) {
+        TRY(const image::Image8 pixels, image::read_ldr(folder_ / picture.file));
+        const double scale = std::min(width / pixels.width, height / pixels.height);
+        TRY_VOID(pdf_.picture(x, y, scale * pixels.width, scale * pixels.height, pixels));
+        pdf_.line_of_text(x, y + scale * pixels.height, width, picture.camera, kSmall);
+        return {};
+    }
+
     Result<void> draw_entry(std::size_t index, double y, double height) {
         const BookEntry& entry = book_.entries[index];
-        const std::string title = std::to_string(index + 1) + ". " + entry.name;
-        pdf_.mark(title);
+        const std::string title = begin_entry(index);
         pdf_.line(kMargin_pt, y, pdf_.width_pt() - kMargin_pt, y);
         TRY_VOID(draw_pictures(entry, y + 6, height - 6));
         const double x = kMargin_pt + kPictures_pt + kGap_pt, width = pdf_.width_pt() - kMargin_pt - x;
@@ -81,28 +110,24 @@ private:
         const std::size_t count = std::min(entry.pictures.size(), kMostPictures);
         const double each = (height - kGap_pt * static_cast<double>(count)) /
                             static_cast<double>(std::max<std::size_t>(count, 1));
-        for (std::size_t k = 0; k < count; ++k) {
-            TRY(const image::Image8 pixels, image::read_ldr(folder_ / entry.pictures[k].file));
-            const double scale = std::min(kPictures_pt / pixels.width, each / pixels.height);
-            const double top = y + static_cast<double>(k) * (each + kGap_pt);
-            TRY_VOID(pdf_.picture(kMargin_pt, top, scale * pixels.width, scale * pixels.height, pixels));
-            pdf_.line_of_text(kMargin_pt, top + scale * pixels.height, kPictures_pt, entry.pictures[k].camera,
-                              kSmall);
-        }
+        for (std::size_t k = 0; k < count; ++k)
+            TRY_VOID(draw_picture(entry.pictures[k], kMargin_pt,
+                                  y + static_cast<double>(k) * (each + kGap_pt), kPictures_pt, each));
         return {};
     }
 
     const Book& book_;
     const std::filesystem::path& folder_;
     const PrintStyle& style_;
+    const std::size_t columns_;
     PdfWriter pdf_;
 };
 
 } // namespace
 
 Result<std::string> pdf_of(const Book& book, const std::filesystem::path& folder, PaperSize size,
-                           const PrintStyle& style) {
-    return BookPages(book, folder, size, style).draw();
+                           const PrintStyle& style, BookLayout layout) {
+    return BookPages(book, folder, size, style, layout).draw();
 }
 
 } // namespace ghost::scene

@@ -27,6 +27,8 @@ void plan_cues(const Show& show, const std::vector<StoredLook>& looks, const Pri
         PlannedEntry& planned = plan.entries.emplace_back();
         BookEntry& entry = planned.entry;
         entry.name = cue.name;
+        entry.number = cue.number;
+        entry.page = cue.page;
         entry.notes = cue.notes;
         entry.goes_on = !cue.at_s;
         entry.follow_s = cue.follow_s;
@@ -78,7 +80,8 @@ void plan_found(const std::vector<double>& found_s, const PrintStyle& style, Boo
 void plan_marks(const std::vector<Mark>& marks, BookPlan& plan) {
     for (const Mark& mark : marks) {
         BookEntry& entry = plan.entries.emplace_back().entry;
-        entry.name = mark.number + (mark.number.empty() || mark.name.empty() ? "" : " ") + mark.name;
+        entry.name = mark.name.empty() ? mark.number : mark.name;
+        if (!mark.name.empty()) entry.number = mark.number;
         if (entry.name.empty()) entry.name = clock_text(mark.at_s);
         entry.notes = mark.note;
         entry.at_s = mark.at_s;

@@ -42,36 +42,39 @@ std::set<std::size_t> in_order(const std::vector<std::size_t>& numbers) {
 
 void compare_entries(const Book& old, const Book& now, const PrintStyle& style,
                      std::vector<std::string>& said) {
-    std::map<std::string, std::size_t> known, present;
-    for (std::size_t i = 0; i < old.entries.size(); ++i) known.try_emplace(old.entries[i].name, i);
+    const std::vector<std::optional<std::size_t>> before = older_entries(old, now);
+    std::set<std::size_t> stayed;          // of the older book
     std::vector<std::size_t> places, both; // in the older book, in this one
     for (std::size_t i = 0; i < now.entries.size(); ++i) {
-        const BookEntry& entry = now.entries[i];
-        present.try_emplace(entry.name, i);
-        const auto found = known.find(entry.name);
-        if (found == known.end()) {
-            said.push_back(style("%1 is new", {quoted(entry.name)}));
+        if (!before[i]) {
+            said.push_back(style("%1 is new", {quoted(now.entries[i].name)}));
             continue;
         }
-        places.push_back(found->second);
+        stayed.insert(*before[i]);
+        places.push_back(*before[i]);
         both.push_back(i);
     }
-    for (const BookEntry& entry : old.entries)
-        if (!present.contains(entry.name)) said.push_back(style("%1 is gone", {quoted(entry.name)}));
+    for (std::size_t i = 0; i < old.entries.size(); ++i)
+        if (!stayed.contains(i)) said.push_back(style("%1 is gone", {quoted(old.entries[i].name)}));
     const std::set<std::size_t> kept = in_order(places);
     for (std::size_t k = 0; k < both.size(); ++k) {
         const BookEntry& entry = now.entries[both[k]];
-        const BookEntry& before = old.entries[places[k]];
+        const BookEntry& was = old.entries[places[k]];
+        if (entry.name != was.name)
+            said.push_back(style("%1 was called %2", {quoted(entry.name), quoted(was.name)}));
+        if (entry.number != was.number)
+            said.push_back(style("%1 has the number %2, had %3",
+                                 {quoted(entry.name), quoted(entry.number), quoted(was.number)}));
         if (!kept.contains(k))
             said.push_back(
                 style("%1 moved in the list, from place %2 to %3",
                       {quoted(entry.name), std::to_string(places[k] + 1), std::to_string(both[k] + 1)}));
-        if (entry.at_s != before.at_s)
+        if (entry.at_s != was.at_s)
             said.push_back(style("%1 is at %2, was at %3",
-                                 {quoted(entry.name), time_text(entry, style), time_text(before, style)}));
-        if (entry.look != before.look)
+                                 {quoted(entry.name), time_text(entry, style), time_text(was, style)}));
+        if (entry.look != was.look)
             said.push_back(style("%1 has the look %2, had %3",
-                                 {quoted(entry.name), quoted(entry.look), quoted(before.look)}));
+                                 {quoted(entry.name), quoted(entry.look), quoted(was.look)}));
     }
 }
 
@@ -179,10 +182,22 @@ BookDifference difference_of(const Book& old, const Book& now, const PrintStyle&
     return difference;
 }
 
-std::optional<std::size_t> entry_named(const Book& book, const std::string& name) {
-    for (std::size_t i = 0; i < book.entries.size(); ++i)
-        if (book.entries[i].name == name) return i;
-    return std::nullopt;
+std::vector<std::optional<std::size_t>> older_entries(const Book& old, const Book& now) {
+    std::vector<std::optional<std::size_t>> found(now.entries.size());
+    std::vector<bool> taken(old.entries.size(), false);
+    for (std::string BookEntry::*key : {&BookEntry::number, &BookEntry::name}) {
+        std::multimap<std::string, std::size_t> known;
+        for (std::size_t i = 0; i < old.entries.size(); ++i)
+            if (!taken[i] && !(old.entries[i].*key).empty()) known.emplace(old.entries[i].*key, i);
+        for (std::size_t i = 0; i < now.entries.size(); ++i) {
+            const auto one = found[i] ? known.end() : known.find(now.entries[i].*key);
+            if (one == known.end()) continue;
+            found[i] = one->second;
+            taken[one->second] = true;
+            known.erase(one);
+        }
+    }
+    return found;
 }
 
 } // namespace ghost::scene

@@ -1,8 +1,8 @@
 #pragma once
 // SPDX-License-Identifier: Apache-2.0
 // BookDifference: what became of an older book: entries and fixtures added, gone, changed, moved, patched
-// elsewhere, and how far each picture is from the older one. Entries match by name, fixtures by the plot's
-// UUID, else by name. Pure, any thread.
+// elsewhere, and how far each picture is from the older one. Entries match by number, else by name,
+// fixtures by the plot's UUID, else by name. Pure, any thread.
 
 #include "base/result.h"
 #include "book/book.h"
@@ -43,8 +43,8 @@ struct BookDifference {
 
 // Without the pictures.
 BookDifference difference_of(const Book& old, const Book& now, const PrintStyle& style = {});
-// Index of the entry of that name.
-std::optional<std::size_t> entry_named(const Book& book, const std::string& name);
+// For each entry of now its place in the older book: that of its number, else that of its name.
+std::vector<std::optional<std::size_t>> older_entries(const Book& old, const Book& now);
 
 // map: gets a picture of where they differ, if they do. Error: of other sizes.
 Result<PictureDifference> compare_pictures(const image::Image8& old, const image::Image8& now,

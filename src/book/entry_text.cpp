@@ -10,6 +10,10 @@ constexpr std::size_t kMostLines = 40; // book.json has all
 
 } // namespace
 
+std::string entry_number(const BookEntry& entry, std::size_t place) {
+    return entry.number.empty() ? std::to_string(place + 1) : entry.number;
+}
+
 std::string times_text(const BookEntry& entry, const PrintStyle& style) {
     std::string text;
     const auto put = [&text](const std::string& part) { text += (text.empty() ? "" : ", ") + part; };
@@ -17,6 +21,7 @@ std::string times_text(const BookEntry& entry, const PrintStyle& style) {
         put(style("goes on where the recording is; drawn at %1", {clock_text(*entry.at_s)}));
     else if (entry.at_s)
         put(style("at %1", {clock_text(*entry.at_s)}));
+    if (!entry.page.empty()) put(style("page %1 of the script", {entry.page}));
     if (!entry.look.empty()) put(style("look '%1'", {entry.look}));
     if (entry.fade_s) put(style("fade %1 s", {style.number(static_cast<double>(*entry.fade_s), 1)}));
     if (entry.follow_s)

@@ -1,7 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: Apache-2.0
-// Book and paperwork as PDF, for printers: four entries on a page, tables with their heads on each page. Text
-// can be searched, fonts are embedded. Equal input gives equal bytes. Any thread.
+// Book and paperwork as PDF, for printers: four entries on a page or twelve, tables with their heads on each
+// page. Text can be searched, fonts are embedded. Equal input gives equal bytes. Any thread.
 
 #include "base/result.h"
 #include "book/book.h"
@@ -15,7 +15,7 @@ namespace ghost::scene {
 
 // folder: of the book, where its pictures are. Error: one of them cannot be read.
 Result<std::string> pdf_of(const Book& book, const std::filesystem::path& folder, PaperSize size,
-                           const PrintStyle& style = {});
+                           const PrintStyle& style = {}, BookLayout layout = BookLayout::list);
 Result<std::string> pdf_of(const Paper& paper, PaperSize size);
 
 } // namespace ghost::scene

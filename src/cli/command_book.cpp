@@ -32,6 +32,7 @@ struct BookArguments {
     std::string size = "640x360";
     std::string against;
     std::string paper = "A4";
+    std::string layout = "list";
     bool cues = false, looks = false, find = false;
     bool pdf = false;
 };
@@ -63,15 +64,17 @@ Result<void> make_book(BookArguments& arguments) {
         TRY(difference, compare_books(arguments.book, drawn, arguments.against, old, folder));
     }
     const scene::PaperSize paper = scene::paper_named(arguments.paper);
+    const scene::BookLayout layout =
+        arguments.layout == "grid" ? scene::BookLayout::grid : scene::BookLayout::list;
     TRY_VOID(write_file_atomic(folder.written_to() / kBookFile, scene::text_of(drawn.book)));
     if (difference)
         TRY_VOID(write_file_atomic(folder.written_to() / "difference.json", scene::text_of(*difference)));
-    TRY_VOID(write_file_atomic(
-        folder.written_to() / "index.html",
-        scene::html_of(drawn.book, difference ? &*difference : nullptr, paper, arguments.book.style)));
+    TRY_VOID(write_file_atomic(folder.written_to() / "index.html",
+                               scene::html_of(drawn.book, difference ? &*difference : nullptr, paper,
+                                              arguments.book.style, layout)));
     if (arguments.pdf) {
         TRY(const std::string pdf,
-            scene::pdf_of(drawn.book, folder.written_to(), paper, arguments.book.style));
+            scene::pdf_of(drawn.book, folder.written_to(), paper, arguments.book.style, layout));
         TRY_VOID(write_file_atomic(folder.written_to() / "book.pdf", pdf));
     }
     TRY_VOID(folder.commit());
@@ -133,7 +136,13 @@ void add_book(CLI::App& app, int& exit_code) {
     command->add_option("--paper", a->paper, "A4 or Letter, of the page when it is printed, and of the PDF")
         ->check(CLI::IsMember({"A4", "Letter"}))
         ->capture_default_str();
-    command->add_flag("--pdf", a->pdf, "write book.pdf, too: four entries on a page");
+    command->add_flag("--pdf", a->pdf, "write book.pdf, too");
+    command
+        ->add_option("--layout", a->layout,
+                     "list: four entries on a page, with what changes in words; grid: twelve, each with its "
+                     "first picture")
+        ->check(CLI::IsMember({"list", "grid"}))
+        ->capture_default_str();
     add_print_options(*command, a->print);
     add_tone_option(*command, session.tone);
     command->add_option("--device", session.device, "Vulkan device: part of its name, or its number")

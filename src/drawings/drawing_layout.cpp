@@ -173,6 +173,17 @@ void Drawing::put(Labels& labels, DrawnLabel label, std::vector<std::string>* wi
     }
 }
 
+// All of a bar's thickness at one of its ends, of which its line is the middle of the underside.
+Extent2 Drawing::end_of(const Bar& bar, const glm::vec3& end_m) const {
+    Extent2 box;
+    for (const float x : {-0.5f, 0.5f})
+        for (const float y : {-0.5f, 0.5f})
+            for (const float z : {0.0f, 1.0f})
+                box.include(paper_of(
+                    view_.flat(end_m + glm::vec3(x * bar.across_m, y * bar.across_m, z * bar.height_m))));
+    return box;
+}
+
 // "Truss 1, z = 6.40 m, 10 m long"; positions without a truss at their first fixture.
 void Drawing::place_bars(Labels& labels) {
     std::map<std::string, bool> named;
@@ -189,7 +200,7 @@ void Drawing::place_bars(Labels& labels) {
         places.push_back(end);
         DrawnLabel label;
         label.is_bar = true;
-        label.around.include(end);
+        label.around = end_of(bar.bar, from.x <= to.x ? bar.bar.from_m : bar.bar.to_m);
         label.around.grow(2);
         label.lines = {bar.name + ", z = " + style_.length_said(static_cast<double>(bar.bar.from_m.z)) +
                        (is_plan_ ? ", " + style_.length_said(static_cast<double>(bar.bar.length_m())) : "")};

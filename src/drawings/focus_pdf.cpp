@@ -150,12 +150,15 @@ private:
         pdf_.circle(paper(aim), 1.4, {.line_grey = 0, .width_pt = 0.6, .fill_grey = 1});
         if (!lamp.is_pool_whole)
             pdf_.line_of_text(at.x + 2, at.y + 2, side - 4, style_("its edge reaches no floor"), kTiny);
+        say_square(at, side, across);
         pdf_.end_clip();
         pdf_.shape(frame, true, kBorder);
     }
 
+    double step_of(double across) const { return across / unit_m() > kWidestGrid ? 5 * unit_m() : unit_m(); }
+
     void draw_squares(const glm::dvec2& middle, double across, const auto& paper) {
-        const double unit = unit_m(), step = across / unit > kWidestGrid ? 5 * unit : unit;
+        const double step = step_of(across);
         const glm::dvec2 low = middle - 0.5 * across, high = middle + 0.5 * across;
         for (double x = std::ceil(low.x / step) * step; x <= high.x; x += step)
             pdf_.lines(std::array{paper({x, low.y}), paper({x, high.y})}, kSquare);
@@ -163,10 +166,16 @@ private:
             pdf_.lines(std::array{paper({low.x, y}), paper({high.x, y})}, kSquare);
         pdf_.lines(std::array{paper({0, low.y}), paper({0, high.y})}, kAxisLine);
         pdf_.lines(std::array{paper({low.x, 0}), paper({high.x, 0})}, kAxisLine);
-        if (step > unit)
-            pdf_.line_of_text(paper(low).x + 2, paper(low).y - 8, 80,
-                              style_("a square: %1", {style_.length_said(step)}),
-                              {.size_pt = 5.5, .is_grey = true});
+    }
+
+    // Where a square is not the one that the foot of the page names.
+    void say_square(const glm::dvec2& at, double side, double across) {
+        if (step_of(across) <= unit_m()) return;
+        const std::string said = style_("a square: %1", {style_.length_said(step_of(across))});
+        const double y = at.y + side - 9;
+        const double width = std::min(pdf_.width_of(said, kTiny) + 3, side - 2);
+        pdf_.fill(at.x + 1, y, width, 8, 1);
+        pdf_.line_of_text(at.x + 1, y + 0.5, width, said, kTiny);
     }
 
     // To the centre line and to the set line; where they are outside of the picture, up to its edge.

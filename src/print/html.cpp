@@ -21,6 +21,7 @@ nav{margin:.8rem 0;columns:14rem}nav a{display:block;color:#0b5394}
 .pictures{display:flex;flex-wrap:wrap;gap:.6rem;margin:.5rem 0}figure{margin:0;flex:1 1 20rem;max-width:40rem}
 img{display:block;width:100%;height:auto;background:#000}figcaption{color:#555;font-size:.85rem}
 .pencil{display:none}
+.grid{display:grid;grid-template-columns:repeat(auto-fill,minmax(14rem,1fr));gap:0 .8rem}.grid h2{font-size:1rem}
 .wide figure{max-width:none;flex-basis:100%}.chosen{display:flex;flex-wrap:wrap;gap:1rem;margin:.6rem 0}
 .chosen select{font:inherit;min-height:44px;max-width:100%}video{display:block;width:100%;height:auto;background:#000}
 .slide{position:relative}.slide .old{position:absolute;inset:0}.slide+input{width:100%;height:44px;margin:0}
@@ -30,6 +31,8 @@ th,td{border:1px solid #999;padding:.15rem .4rem;text-align:left;vertical-align:
 section{margin:1.2rem 0}
 @media print{body{font-size:9.5pt;margin:0;max-width:none;padding:0}nav{display:none}section+section{break-before:page}
 tr{break-inside:avoid}.slide .old,.slide+input{display:none}figure{flex-basis:0;max-width:47%}
+
+.grid{grid-template-columns:repeat(3,1fr)}.grid figure{max-width:none}.grid .entry{padding:2mm 0;min-height:62mm}
 .pencil{display:block;border-bottom:1px solid #999;height:1.6em}}
 )";
 

@@ -38,6 +38,8 @@ std::vector<Cue> read_cues(TableReader& top, const std::string& file, Report& re
         Cue cue;
         cue.where = file_line(file, reader.line());
         cue.name = reader.text("name").value_or("");
+        cue.number = reader.text("number").value_or("");
+        cue.page = reader.text("page").value_or("");
         cue.at_s = reader.number("at_s", 0, kLatest_s);
         cue.camera = reader.text("camera").value_or("");
         cue.flight_s = seconds_of(reader, "flight_s", kLongestFlight_s).value_or(0);

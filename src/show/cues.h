@@ -17,6 +17,8 @@ struct Show;       // show/show.h
 
 struct Cue {
     std::string name;
+    std::string number;            // as the desk and the stage manager call it ("47.5"), or ""
+    std::string page;              // of the script, or ""
     std::optional<double> at_s;    // of the recording; none: it goes on where it is
     std::string camera;            // empty: the picture stays where it is
     float flight_s = 0;            // to that camera; 0: a cut

@@ -15,6 +15,8 @@ Keys keys_of(const Cue& cue) {
         return value ? std::optional(toml_text(*value)) : std::nullopt;
     };
     return {{"name", toml_text(cue.name)},
+            {"number", text(cue.number)},
+            {"page", text(cue.page)},
             {"at_s", cue.at_s ? std::optional(toml_text(static_cast<float>(*cue.at_s))) : std::nullopt},
             {"camera", text(cue.camera)},
             {"flight_s", cue.flight_s > 0 ? std::optional(toml_text(cue.flight_s)) : std::nullopt},

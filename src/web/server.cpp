@@ -101,8 +101,7 @@ void Server::run() {
     constexpr double kBytesPerMbit = 1e6 / 8;
     give_way();
     try {
-        ServerLoop loop(link_, *listener_, *wake_, gate_, options_.book, options_.mbit * kBytesPerMbit,
-                        static_cast<std::size_t>(options_.most_viewers));
+        ServerLoop loop(link_, *listener_, *wake_, gate_, options_.book, options_.mbit * kBytesPerMbit);
         while (!stop_) loop.round();
     } catch (const std::exception& problem) { // no memory, as a rule
         log_error(std::string("browsers see nothing any more: ") + problem.what());

@@ -21,14 +21,13 @@
 
 namespace ghost::web {
 
-inline constexpr int kMostViewers = 16;
+inline constexpr std::size_t kMostViewers = 20;
 inline constexpr std::size_t kMostOthers = 8; // connections beside those of viewers
 
 struct ServerOptions {
     std::uint32_t address = 0x7F000001; // this machine alone; 0: whoever reaches us
     std::uint16_t port = 0;             // 0: one that is free
-    std::string host; // we are called so by who stands before us (a TLS proxy); empty: nobody does
-    int most_viewers = kMostViewers;
+    std::string host;       // we are called so by who stands before us (a TLS proxy); empty: nobody does
     double mbit = 60;       // of pictures, all viewers together, a second
     std::string book;       // folder of a cue book; empty: there is none
     bool control = false;   // there is a token that may control

@@ -35,9 +35,8 @@ std::string short_reason(std::string text) {
 } // namespace
 
 ServerLoop::ServerLoop(ui::Link& link, dmx::TcpListener& listener, dmx::StreamWake& wake, Gate& gate,
-                       const std::string& book, double bytes_per_s, std::size_t most_viewers)
-    : link_(link), listener_(listener), wake_(wake), gate_(gate), most_viewers_(most_viewers), book_(book),
-      ration_(bytes_per_s) {}
+                       const std::string& book, double bytes_per_s)
+    : link_(link), listener_(listener), wake_(wake), gate_(gate), book_(book), ration_(bytes_per_s) {}
 
 void ServerLoop::round() {
     wait();
@@ -99,7 +98,7 @@ void ServerLoop::wait() {
 void ServerLoop::accept() {
     while (std::unique_ptr<dmx::TcpStream> stream = listener_.accept()) {
         Connection connection(std::move(stream), now_s());
-        if (guests_.size() < most_viewers_ + kMostOthers) {
+        if (guests_.size() < kMostViewers + kMostOthers) {
             guests_.push_back({std::move(connection), nullptr});
             continue;
         }
@@ -163,7 +162,7 @@ void ServerLoop::answer(Guest& guest, const Answer& answer) {
 }
 
 void ServerLoop::begin_live(Guest& guest, const Routed& routed, std::uint64_t keys) {
-    if (viewers_ >= most_viewers_) return answer(guest, refusal(503));
+    if (viewers_ >= kMostViewers) return answer(guest, refusal(503));
     ++viewers_;
     guest.connection.put(answer_text(routed.answer));
     guest.connection.put(build_text(hello_text(routed.right)));

@@ -132,8 +132,9 @@ void ServerLoop::ask() {
 }
 
 void ServerLoop::offer(Guest& guest) {
-    if (guest.connection.unsent() > kMostUnsentBytes)
-        return end_live(guest, kCloseTryLater, "too much is on the way");
+    // A show may be larger than that; it is sent once, and all viewers share it.
+    const std::size_t most = kMostUnsentBytes + (show_ ? show_->size() : 0);
+    if (guest.connection.unsent() > most) return end_live(guest, kCloseTryLater, "too much is on the way");
     if (guest.connection.unsent() > 0 || guest.connection.is_ending()) return;
     offer_news(guest);
     offer_picture(guest);

@@ -46,6 +46,8 @@ Book small_book() {
         {"Spot 1", "101", "uuid", "Maker Spot", "Standard", {{1, 2}, {3, 0}}, {1, 2.5f, 3}});
     BookEntry& entry = book.entries.emplace_back();
     entry.name = "Verse";
+    entry.number = "47.5";
+    entry.page = "12";
     entry.notes = "slowly";
     entry.look = "Blue";
     entry.at_s = 12.25;
@@ -76,6 +78,17 @@ TEST(Plan, of_cues_goes_on_where_they_say_nothing) {
     EXPECT_EQ(plan->entries[3].camera, "close");
     EXPECT_FALSE(plan->entries[4].look);
     EXPECT_EQ(plan->entries[4].entry.unknown.at(0), "the show has no look 'Red'");
+}
+
+TEST(Plan, of_cues_has_their_numbers_and_pages) {
+    Show show = demo();
+    show.cues = {cue("a", 1.0)};
+    show.cues[0].number = "47.5";
+    show.cues[0].page = "12";
+    const auto plan = plan_book(show, {}, BookKind::cues, {});
+    ASSERT_TRUE(plan.ok());
+    EXPECT_EQ(plan->entries[0].entry.number, "47.5");
+    EXPECT_EQ(plan->entries[0].entry.page, "12");
 }
 
 TEST(Plan, takes_what_the_show_has) {
@@ -168,6 +181,20 @@ TEST(Page, escapes_names_and_keeps_every_script) {
     EXPECT_EQ(html_text("a\x1b\xff"), "a\\u001b\xef\xbf\xbd");
 }
 
+TEST(Page, of_a_book_has_numbers_and_pages_of_the_script) {
+    Book book = small_book();
+    book.entries.push_back(book.entries[0]);
+    book.entries[1].number.clear();
+    for (const BookLayout layout : {BookLayout::list, BookLayout::grid}) {
+        const std::string page = html_of(book, nullptr, PaperSize::a4, {}, layout);
+        EXPECT_NE(page.find("<h2>47.5. <bdi>Verse</bdi></h2>"), std::string::npos);
+        EXPECT_NE(page.find("<h2>2. <bdi>Verse</bdi></h2>"), std::string::npos) << "by its place";
+        EXPECT_NE(page.find("page 12 of the script"), std::string::npos);
+        EXPECT_NE(page.find("pictures/0001-1.png"), std::string::npos);
+        EXPECT_EQ(page.find("0 to 80 %") == std::string::npos, layout == BookLayout::grid);
+    }
+}
+
 TEST(Page, says_that_nothing_is_seen) {
     Book book = small_book();
     book.entries.push_back(book.entries[0]);
@@ -216,7 +243,10 @@ TEST(Marks, are_read_and_what_is_none_is_said) {
     const auto plan = plan_book(show, {}, BookKind::marks, {}, {}, marks);
     ASSERT_TRUE(plan.ok());
     EXPECT_EQ(plan->kind, "marks");
-    EXPECT_EQ(plan->entries[0].entry.name, "3 Haze");
+    EXPECT_EQ(plan->entries[0].entry.name, "Haze");
+    EXPECT_EQ(plan->entries[0].entry.number, "3");
+    EXPECT_EQ(plan->entries[2].entry.name, "5") << "a number is its name where it has no other";
+    EXPECT_TRUE(plan->entries[2].entry.number.empty());
     EXPECT_EQ(plan->entries[1].entry.name, "0:09");
     EXPECT_FALSE(plan_book(show, {}, BookKind::marks, {}, {}, {}).ok());
     show.recording.clear();

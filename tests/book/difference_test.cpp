@@ -43,6 +43,17 @@ TEST(Difference, names_entries_that_are_new_gone_and_moved) {
               (Sentences{"'a' is at 12.5 s, was at 10 s", "'a' has the look 'Blue', had ''"}));
 }
 
+TEST(Difference, matches_entries_by_number_then_by_name) {
+    Book old = book({"Dark", "Verse", "Dark", "Solo"}),
+         now = book({"Dark", "Chorus", "Dark", "Dark", "Solo"});
+    for (std::size_t i = 0; i < 4; ++i) old.entries[i].number = std::to_string(i + 1);
+    const char* const numbers[] = {"1", "2", "2.5", "3", "5"};
+    for (std::size_t i = 0; i < 5; ++i) now.entries[i].number = numbers[i];
+    EXPECT_EQ(older_entries(old, now), (std::vector<std::optional<std::size_t>>{0, 1, std::nullopt, 2, 3}));
+    EXPECT_EQ(difference_of(old, now).entries, (Sentences{"'Dark' is new", "'Chorus' was called 'Verse'",
+                                                          "'Solo' has the number '5', had '4'"}));
+}
+
 TEST(Difference, names_fixtures_that_are_new_gone_moved_and_patched) {
     Book old, now;
     old.fixtures = {spot("Spot 1", 1), spot("Spot 2", 23), spot("Spot 3", 45), spot("Old", 100, "u1")};

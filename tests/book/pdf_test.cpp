@@ -53,6 +53,19 @@ TEST(BookPdf, has_four_entries_on_a_page_and_equal_bytes) {
     EXPECT_NE(must(pdf_of(book, folder.path, PaperSize::letter)), pdf);
 }
 
+TEST(BookPdf, as_a_grid_has_twelve_entries_on_a_page) {
+    const TestFolder folder;
+    Book book = book_of_pictures(folder, 13);
+    const std::string pdf = must(pdf_of(book, folder.path, PaperSize::a4, {}, BookLayout::grid));
+    expect_whole(pdf);
+    expect_pages(pdf, 2);
+    EXPECT_EQ(must(pdf_of(book, folder.path, PaperSize::a4, {}, BookLayout::grid)), pdf);
+    book.entries[0].pictures.clear();
+    book.entries[1].name = std::string(10'000, 'x');
+    book.entries[2].unknown.assign(100, "not known");
+    expect_whole(must(pdf_of(book, folder.path, PaperSize::a4, {}, BookLayout::grid)));
+}
+
 TEST(BookPdf, of_names_of_any_script_and_length_is_made) {
     const TestFolder folder;
     Book book = book_of_pictures(folder, 2);

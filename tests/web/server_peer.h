@@ -57,6 +57,8 @@ public:
         }
         return holds();
     }
+    // Says that nothing more comes from here, and goes on reading.
+    void close_half() { stream_->finish(); }
     bool is_closed(Clock::duration time = kLong) {
         return until([&] { return is_closed_; }, time);
     }

@@ -2,6 +2,8 @@
 // The server as a stateful peer sees it: pages, pictures, limits.
 #include "server_peer.h"
 
+#include <algorithm>
+
 namespace ghost::web {
 namespace {
 
@@ -139,9 +141,9 @@ TEST_F(WebServer, what_is_malformed_ends_that_viewer_alone) {
     EXPECT_TRUE(good.is_closed());
 }
 
-TEST_F(WebServer, sixteen_look_on_and_the_seventeenth_does_not) {
+TEST_F(WebServer, twenty_look_on_and_the_next_one_does_not) {
     std::vector<std::unique_ptr<Peer>> peers;
-    for (int i = 0; i < kMostViewers; ++i) {
+    for (std::size_t i = 0; i < kMostViewers; ++i) {
         peers.push_back(std::make_unique<Peer>(server->port()));
         ASSERT_EQ(peers.back()->look_on(server->keys().token), 101) << i;
     }
@@ -194,6 +196,44 @@ TEST_F(WebServer, who_has_left_is_on_no_list) {
     }
     for (int tries = 0; tries < 400 && !server->lookers().empty(); ++tries) std::this_thread::sleep_for(10ms);
     EXPECT_TRUE(server->lookers().empty());
+}
+
+TEST_F(WebServer, who_closes_his_half_is_gone) {
+    Peer good(server->port()), viewer(server->port()), idle(server->port());
+    ASSERT_EQ(good.look_on(server->keys().token), 101);
+    ASSERT_EQ(viewer.look_on(server->keys().token), 101);
+    viewer.close_half();
+    EXPECT_TRUE(viewer.is_closed());
+    idle.send("GET / HT");
+    idle.close_half();
+    EXPECT_TRUE(idle.is_closed(3s)) << "before the five seconds that a head has";
+    for (int tries = 0; tries < 400 && server->lookers().size() != 1; ++tries)
+        std::this_thread::sleep_for(10ms);
+    EXPECT_EQ(server->lookers().size(), 1u);
+    const double cpu_s = server->cpu_s();
+    std::this_thread::sleep_for(1s);
+    EXPECT_LT(server->cpu_s() - cpu_s, 0.5) << "nobody is waited for without a rest";
+}
+
+TEST_F(WebServer, ten_thousand_lamps_with_endless_names_come_whole) {
+    constexpr std::size_t kLamps = 10'000, kLongNames = 500, kLetters = 10'000;
+    Peer peer(server->port());
+    ASSERT_EQ(peer.look_on(server->keys().token), 101);
+    auto show = std::make_shared<scene::Show>();
+    show->fixtures.resize(kLamps);
+    for (std::size_t i = 0; i < kLongNames; ++i) show->fixtures[i].name = std::string(kLetters, 'Z');
+    ui::Opened opened;
+    opened.show = show;
+    link.opened.put(opened);
+    server->news();
+    Peer::Frame frame;
+    do frame = peer.frame();
+    while (frame.opcode != 0 && frame.opcode != 8 && frame.payload.size() < kLongNames * kLetters);
+    ASSERT_EQ(frame.opcode, 1);
+    EXPECT_EQ(std::count(frame.payload.begin(), frame.payload.end(), 'Z'),
+              static_cast<std::ptrdiff_t>(kLongNames * kLetters));
+    put_picture();
+    EXPECT_FALSE(peer.hear_bytes(1).empty()) << "and the line goes on";
 }
 
 TEST_F(WebServer, ends_with_viewers_in_it) {

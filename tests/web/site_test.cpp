@@ -48,6 +48,15 @@ TEST_F(Site, the_page_is_there_without_a_token_and_has_no_secret) {
     EXPECT_TRUE(ask("GET", "/").answer.body.starts_with("<!DOCTYPE html>"));
 }
 
+// Else a module is asked for only when the one that needs it has come.
+TEST_F(Site, the_page_names_every_module_at_once) {
+    const std::string_view page = ask("GET", "/").answer.body;
+    for (const WebFile& file : web_files()) {
+        if (!file.name.ends_with(".js")) continue;
+        EXPECT_NE(page.find("/a/" + std::string(file.name)), std::string_view::npos) << file.name;
+    }
+}
+
 TEST_F(Site, nothing_else_is_there) {
     for (const char* target : {"/a/", "/a/../main.js", "/a/%2e%2e/show.toml", "/a/..%2fmain.js",
                                "/../etc/passwd", "/a//etc/passwd", "/a/main.js?x", "/main.js", "/A/main.js",

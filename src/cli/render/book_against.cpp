@@ -23,9 +23,8 @@ std::string moved_to(const std::string& folder, const std::string& file) {
 }
 
 // The older picture of the same entry from the same camera, or why there is none.
-Result<std::string> older_picture(const scene::Book& old, const scene::BookEntry& entry,
+Result<std::string> older_picture(const scene::Book& old, std::optional<std::size_t> index,
                                   const std::string& camera, const scene::PrintStyle& style) {
-    const auto index = scene::entry_named(old, entry.name);
     if (!index) return Error{style("the older book has no such entry"), ""};
     for (const scene::BookPicture& picture : old.entries[*index].pictures)
         if (picture.camera == camera) return picture.file;
@@ -92,11 +91,12 @@ Result<scene::BookDifference> compare_books(const BookOptions& options, const Dr
     Progress progress("comparing",
                       options.session.quiet ? Progress::Style::silent : Progress::style_for_stderr(),
                       steady_now_s());
+    const std::vector<std::optional<std::size_t>> places = scene::older_entries(before, now.book);
     for (std::size_t i = 0; i < now.book.entries.size(); ++i) {
         const scene::BookEntry& entry = now.book.entries[i];
         for (const scene::BookPicture& picture : entry.pictures) {
             if (interrupted()) return Error{"interrupted: nothing is written", ""};
-            const Result<std::string> file = older_picture(before, entry, picture.camera, options.style);
+            const Result<std::string> file = older_picture(before, places[i], picture.camera, options.style);
             ComparedPicture compared;
             if (file.ok()) {
                 TRY(compared, compare_picture(book ? old : drawn_to, *file, picture, options.style, folder));

@@ -56,6 +56,7 @@ private:
     }
     void place_symbols();
     void take_lines(const RiggedFixture& fixture, DrawnSymbol& symbol);
+    Extent2 end_of(const Bar& bar, const glm::vec3& end_m) const;
     void place_bars(Labels& labels);
     void place_labels(Labels& labels);
     std::vector<std::string> words_of(const std::vector<std::size_t>& group) const;

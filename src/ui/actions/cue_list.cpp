@@ -164,11 +164,15 @@ Result<void> CueList::set(std::size_t index, const QString& what, const QString&
         TRY(cue.fade_s, seconds_of(words, scene::kLongestFade_s));
     } else if (what == "follow") {
         TRY(cue.follow_s, seconds_of(words, kLongestFollow_s));
+    } else if (what == "number") {
+        cue.number = words.toStdString();
+    } else if (what == "page") {
+        cue.page = words.toStdString();
     } else if (what == "notes") {
         cue.notes = words.toStdString();
     } else {
         return Error{"'" + what.toStdString() +
-                         "' is none of name, look, at, camera, flight, fade, follow and notes",
+                         "' is none of name, number, look, at, camera, flight, fade, follow, page and notes",
                      ""};
     }
     if (!cue.at_s && cue.camera.empty() && cue.look.empty())
@@ -233,21 +237,21 @@ void add_cue_actions(Actions& actions, CueList& cues) {
             return f(cues, index, words);
         };
     };
-    add("cue", "", "", "NAME|NUMBER",
+    add("cue", "", "", "NAME|PLACE",
         with_cue([](CueList& list, std::size_t index, const QStringList&) { return list.call(index); }));
     add("cue-add", "", "", "[NAME [LOOK]]",
         [&cues](const QStringList& words) { return cues.add(words.value(0), words.value(1)); });
-    add("cue-set", "", "", "NAME|NUMBER name|look|at|camera|flight|fade|follow|notes [VALUE]",
+    add("cue-set", "", "", "NAME|PLACE name|number|look|at|camera|flight|fade|follow|page|notes [VALUE]",
         with_cue([](CueList& list, std::size_t index, const QStringList& words) {
             return list.set(index, words.value(1), words.value(2));
         }));
-    add("cue-move", "", "", "NAME|NUMBER up|down",
+    add("cue-move", "", "", "NAME|PLACE up|down",
         with_cue([](CueList& list, std::size_t index, const QStringList& words) -> Result<void> {
             if (words.value(1) != "up" && words.value(1) != "down")
                 return Error{"'" + words.value(1).toStdString() + "' is neither up nor down", ""};
             return list.move(index, words[1] == "up" ? -1 : 1);
         }));
-    add("cue-remove", "", "", "NAME|NUMBER",
+    add("cue-remove", "", "", "NAME|PLACE",
         with_cue([](CueList& list, std::size_t index, const QStringList&) { return list.remove(index); }));
 }
 

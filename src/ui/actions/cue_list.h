@@ -32,7 +32,7 @@ public:
     bool follows_recording() const { return follows_recording_; }
 
     Result<void> add(const QString& name, const QString& look);
-    // what: name, look, at, camera, flight, fade, follow or notes; words empty: it goes.
+    // what: name, number, look, at, camera, flight, fade, follow, page or notes; words empty: it goes.
     Result<void> set(std::size_t index, const QString& what, const QString& words);
     Result<void> move(std::size_t index, int by); // -1 or 1
     Result<void> remove(std::size_t index);
@@ -57,7 +57,7 @@ private:
     double seen_s_ = 0; // of the recording
 };
 
-// "cue-go", "cue-back", "cue NAME|NUMBER", "cue-add NAME [LOOK]", "cue-set NUMBER WHAT VALUE" and so on.
+// "cue-go", "cue-back", "cue NAME|PLACE", "cue-add NAME [LOOK]", "cue-set PLACE WHAT VALUE" and so on.
 void add_cue_actions(Actions& actions, CueList& cues);
 
 } // namespace ghost::ui

@@ -16,9 +16,9 @@
 namespace ghost::ui {
 namespace {
 
-enum CueColumn { name, look, fade, follow, at, camera, flight, notes, kCueColumns };
-constexpr const char* kWhat[kCueColumns] = {"name", "look",   "fade",   "follow",
-                                            "at",   "camera", "flight", "notes"};
+enum CueColumn { number, name, look, fade, follow, at, camera, flight, page, notes, kCueColumns };
+constexpr const char* kWhat[kCueColumns] = {"number", "name",   "look",   "fade", "follow",
+                                            "at",     "camera", "flight", "page", "notes"};
 
 QString seconds(const std::optional<float>& value) {
     return value ? QString::number(static_cast<double>(*value), 'g', 6) : QString();
@@ -26,6 +26,10 @@ QString seconds(const std::optional<float>& value) {
 
 QString text_of(const scene::Cue& cue, int column) {
     switch (column) {
+    case number:
+        return QString::fromStdString(cue.number);
+    case page:
+        return QString::fromStdString(cue.page);
     case name:
         return QString::fromStdString(cue.name);
     case look:
@@ -70,10 +74,11 @@ CuePanel::CuePanel(AppModel& app, CueList& cues, Looks& looks, Actions& actions,
       table_(new QTableWidget(0, kCueColumns, this)) {
     next_->setWordWrap(true);
     table_->setAccessibleName(translated("Cues", "Cues"));
-    table_->setHorizontalHeaderLabels({translated("Cues", "Cue"), translated("Cues", "Look"),
-                                       translated("Cues", "Fade s"), translated("Cues", "Follow s"),
-                                       translated("Cues", "At s"), translated("Cues", "Camera"),
-                                       translated("Cues", "Flight s"), translated("Cues", "Notes")});
+    table_->setHorizontalHeaderLabels({translated("Cues", "Number"), translated("Cues", "Cue"),
+                                       translated("Cues", "Look"), translated("Cues", "Fade s"),
+                                       translated("Cues", "Follow s"), translated("Cues", "At s"),
+                                       translated("Cues", "Camera"), translated("Cues", "Flight s"),
+                                       translated("Cues", "Page"), translated("Cues", "Notes")});
     table_->setSelectionBehavior(QAbstractItemView::SelectRows);
     table_->setSelectionMode(QAbstractItemView::SingleSelection);
     table_->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed);

@@ -199,12 +199,17 @@ void PrintDialog::add_book_choices(QFormLayout& form) {
     camera_ = choice(translated("Print", "Camera"), {}, this);
     size_ = choice(translated("Print", "Size of pictures"),
                    {{"640x360", "640x360"}, {"480x270", "480x270"}, {"1280x720", "1280x720"}}, this);
+    layout_ = choice(translated("Print", "Layout"),
+                     {{QT_TRANSLATE_NOOP("Print", "Four on a page, with what changes"), "list"},
+                      {QT_TRANSLATE_NOOP("Print", "Twelve on a page"), "grid"}},
+                     this);
     against_ = new QLineEdit(this);
     against_->setAccessibleName(translated("Print", "An older show, plot or book to compare with"));
     against_->setPlaceholderText(translated("Print", "an older show, plot or book"));
     form.addRow(translated("Print", "Entries"), entries_);
     form.addRow(translated("Print", "Camera"), camera_);
     form.addRow(translated("Print", "Pictures"), size_);
+    form.addRow(translated("Print", "Layout"), layout_);
     form.addRow(translated("Print", "Compare with"), against_);
 }
 
@@ -259,6 +264,7 @@ QString PrintDialog::options() const {
         words += " " + entries_->currentData().toString();
         add("--view", camera_->currentData().toString());
         add("--size", size_->currentData().toString());
+        add("--layout", layout_->currentData().toString());
         add("--against", against_->text());
         return words.simplified();
     }

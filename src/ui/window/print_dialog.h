@@ -49,7 +49,7 @@ private:
     QString made_; // the folder that the job makes
     QLineEdit* folder_;
     QComboBox *page_, *language_ = nullptr, *units_ = nullptr, *scale_ = nullptr, *sheet_ = nullptr;
-    QComboBox *entries_ = nullptr, *camera_ = nullptr, *size_ = nullptr;
+    QComboBox *entries_ = nullptr, *camera_ = nullptr, *size_ = nullptr, *layout_ = nullptr;
     QLineEdit* against_ = nullptr;
     QCheckBox *pdf_, *plan_ = nullptr, *focus_ = nullptr;
     QLabel* said_;

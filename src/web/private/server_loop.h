@@ -28,7 +28,7 @@ class ServerLoop {
 public:
     // book: folder of a cue book, or empty.
     ServerLoop(ui::Link& link, dmx::TcpListener& listener, dmx::StreamWake& wake, Gate& gate,
-               const std::string& book, double bytes_per_s, std::size_t most_viewers);
+               const std::string& book, double bytes_per_s);
 
     // Waits until there is something to do, a moment at most, and does it.
     void round();
@@ -81,7 +81,6 @@ private:
     dmx::TcpListener& listener_;
     dmx::StreamWake& wake_;
     Gate& gate_;
-    const std::size_t most_viewers_;
     BookShelf book_;
     Ration ration_;
     std::list<Guest> guests_;

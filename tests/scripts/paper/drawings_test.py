@@ -116,6 +116,18 @@ class Drawings(unittest.TestCase):
             deep = [abs(b[1] - a[1]) / MM for a, b in segments(out / "plan.pdf", 1) if abs(a[0] - b[0]) < 0.02]
             self.assertGreaterEqual(sum(abs(length - expected_mm * 0.03) < 0.05 for length in deep), 2)
 
+    def test_the_name_of_a_truss_stands_beside_it(self):
+        out = WORK / "names"
+        code, text = run("paper", self.show, "-o", out, "--plan", "--scale", "1:25", "--sheet", "A1")
+        self.assertEqual(code, 0, text)
+        for page, length_mm in ((1, 400), (2, 12)):
+            lines = [(a, b) for a, b in segments(out / "plan.pdf", page) if abs(a[1] - b[1]) < 0.02 and abs(abs(b[0] - a[0]) / MM - length_mm) < 0.05]
+            self.assertGreaterEqual(len(lines), 2)
+            heights = [a[1] for a, _ in lines]
+            x, y = words(out / "plan.pdf", page)["Truss"]
+            left = min(min(a[0], b[0]) for a, b in lines)
+            self.assertTrue(y > max(heights) or y + 6 < min(heights) or x + 20 < left, (page, x, y, heights))
+
     def test_up_stage_is_at_the_top_and_left_is_left(self):
         out = WORK / "ways"
         code, text = run("paper", self.show, "-o", out, "--plan")

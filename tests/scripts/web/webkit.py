@@ -88,10 +88,22 @@ class WebKit:
     def console(self):
         return self.value("complaints")
 
+    def screen_at_rest(self):
+        """A busy machine paints long after the page has changed."""
+        self.call("POST", "/execute/async", {"script": "requestAnimationFrame(() => requestAnimationFrame(arguments[0]));", "args": []})
+        before = b""
+        for _ in range(20):
+            time.sleep(0.5)
+            with open(os.path.join(self.folder, "Xvfb_screen0"), "rb") as screen:
+                data = screen.read()
+            if data == before:
+                break
+            before = data
+        return data
+
     def screenshot(self, path):
         """What Xvfb shows (XWD, as it keeps it in a file): the driver's own waits for a frame that a page at rest does not draw."""
-        with open(os.path.join(self.folder, "Xvfb_screen0"), "rb") as screen:
-            data = screen.read()
+        data = self.screen_at_rest()
         fields = struct.unpack(">25I", data[:100])
         begin, width, height, line = fields[0] + 12 * fields[19], fields[4], fields[5], fields[12]
         whole = Image.frombuffer("RGB", (width, height), data[begin:begin + line * height], "raw", "BGRX", line, 1)

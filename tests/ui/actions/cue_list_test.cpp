@@ -65,6 +65,13 @@ TEST(CueList, edits_keep_comments_and_are_undone_to_the_same_bytes) {
     desk.follow();
     EXPECT_EQ(desk.cues.all()[0].fade_s, 2.5f);
     EXPECT_NE(desk.document.text().find("# the beginning"), std::string::npos);
+    ASSERT_TRUE(desk.cues.set(0, "number", "47.5").ok());
+    desk.follow();
+    ASSERT_TRUE(desk.cues.set(0, "page", "12").ok());
+    desk.follow();
+    EXPECT_EQ(desk.cues.all()[0].number, "47.5");
+    EXPECT_EQ(desk.cues.all()[0].page, "12");
+    EXPECT_NE(desk.document.text().find("number = \"47.5\""), std::string::npos);
     ASSERT_TRUE(desk.cues.move(1, -1).ok());
     desk.follow();
     EXPECT_EQ(desk.names(), (std::vector<std::string>{"Solo", "Dark"}));
@@ -89,7 +96,7 @@ TEST(CueList, what_a_cue_cannot_be_is_refused_in_words) {
     EXPECT_NE(error(0, "fade", "4000").find("from 0 to 3600"), std::string::npos);
     EXPECT_NE(error(0, "follow", "soon").find("is no number of seconds"), std::string::npos);
     EXPECT_NE(error(0, "look", "").find("needs a look, a camera or a place"), std::string::npos);
-    EXPECT_NE(error(0, "colour", "1").find("is none of name, look"), std::string::npos);
+    EXPECT_NE(error(0, "colour", "1").find("is none of name, number, look"), std::string::npos);
     EXPECT_NE(error(7, "name", "x").find("no cue number 8"), std::string::npos);
 }
 
