@@ -266,6 +266,7 @@ Explanation Explainer::explain(std::size_t index, int asked_beam) const {
         if (projector && light.slide.layer > 0) projector->media = static_cast<int>(light.slide.layer) - 1;
         BeamFacts facts = measure(patch, b, state.beams[b], light, result.channels, input_.gobos,
                                   projector ? &*projector : nullptr);
+        if (!state.lamp.lit) facts.lamp = 0.0f; // a filament has that in its dimmer
         facts.findings = causes_in_beam(patch, b, state.beams[b], facts, result.channels);
         sort_findings(facts.findings);
         facts.glows = face.glows;

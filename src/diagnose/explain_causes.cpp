@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <functional>
+#include <optional>
 
 namespace ghost::scene::explained {
 namespace {
@@ -77,7 +78,9 @@ bool may_be_swapped(const ChannelFacts& channel) {
            channel.reading.raw >= kHigh;
 }
 
-Reason dimmer_finding(const Beam& beam, const fixture::Optics& optics) {
+// Nothing: the filament is dark because its lamp is out, not because of the dimmer.
+std::optional<Reason> dimmer_finding(const Beam& beam, const fixture::Optics& optics,
+                                     const BeamFacts& facts) {
     const std::string group =
         "their dimmer is " + std::string(optics.dimmer <= 0.0f ? "at 0" : "nearly at 0");
     const auto is_low = [](const ChannelFacts& channel) {
@@ -102,6 +105,7 @@ Reason dimmer_finding(const Beam& beam, const fixture::Optics& optics) {
         [](const ChannelFacts& channel) { return channel.role == Role::dimmer && channel.number > 0; });
     for (const int dimmer : dimmers) asked *= std::clamp(beam.at(dimmer).reading.physical, 0.0f, 1.0f);
     const std::string places = places_text(beam, dimmers);
+    if (asked >= kBlocks && facts.lamp < kBlocks) return std::nullopt;
     if (asked >= kBlocks)
         return blocking(Cause::dimmer,
                         "the dimmer (" + places + ") is still on its way: it gives " +
@@ -315,7 +319,9 @@ std::vector<Reason> causes_in_beam(const fixture::Patch& patch, std::size_t beam
     const Beam beam{patch.mode_of(), beam_index, channels};
     const fixture::Optics& optics = state.optics;
     std::vector<Reason> findings;
-    if (optics.dimmer < kBlocks) findings.push_back(dimmer_finding(beam, optics));
+    if (std::optional<Reason> dimmer =
+            optics.dimmer < kBlocks ? dimmer_finding(beam, optics, facts) : std::nullopt)
+        findings.push_back(std::move(*dimmer));
     add_virtual_dimmer(beam, findings);
     if (facts.shutter < kBlocks) findings.push_back(shutter_finding(beam, facts));
     if (facts.strobe < kBlocks) findings.push_back(strobe_finding(beam, facts));

@@ -323,13 +323,17 @@ TEST(explain, LampPutOutByItsChannel) {
     const string control =
         channel("2", "LampControl",
                 function("Lamp on", "LampControl", 0, 0, 1) + function("Lamp off", "LampControl", 128, 0, 1));
-    string discharge = kBeam;
-    discharge.insert(discharge.find("BeamType"), "LampType=\"Discharge\" ");
-    Trial trial(type_of(kDimmer + control, discharge));
-    trial.set(1, 255).set(2, 200);
-    trial.steps = 150; // held for 5 s
-    expect(trial.explain(), Visibility::dark, Cause::lamp,
-           {"the lamp is told to go off: function 'Lamp off' (DMX 128-255) on channel 2 (1.2), value 200"});
+    for (const char* lamp : {"Discharge", "Tungsten", "LED"}) {
+        string beam = kBeam;
+        beam.insert(beam.find("BeamType"), "LampType=\"" + string(lamp) + "\" ");
+        Trial trial(type_of(kDimmer + control, beam));
+        trial.set(1, 255).set(2, 200);
+        trial.steps = 150; // held for 5 s
+        expect(
+            trial.explain(), Visibility::dark, Cause::lamp,
+            {"the lamp is told to go off: function 'Lamp off' (DMX 128-255) on channel 2 (1.2), value 200"});
+        expect(trial.set(1, 0).explain(), Visibility::dark, Cause::dimmer, {"channel 1 (1.1) is at 0"});
+    }
 }
 
 TEST(explain, VirtualDimmerIsTheDesksWork) {
