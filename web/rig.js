@@ -7,6 +7,7 @@ import {say, wish} from "./wire.js";
 const HEAD = 16, EACH = 8;  // bytes of a message of levels, of one fixture in it
 const SHINES_CD = 1;
 const ASK_AGAIN_MS = 1000;
+const MANY = 500;  // rows; with fewer all are laid out: WebKitGTK leaves rows empty that it skipped once
 
 class Rig extends HTMLElement {
   connectedCallback() {
@@ -58,6 +59,7 @@ class Rig extends HTMLElement {
             colour: ""
           };
         });
+    this.list.classList.toggle("many", this.rows.length > MANY);
     this.list.replaceChildren(...this.rows.map((row) => row.item));
     this.sift();
   }

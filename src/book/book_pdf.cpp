@@ -73,7 +73,7 @@ private:
         pdf_.line_of_text(x, y, width, begin_entry(index), kTitle);
         std::string said = times_text(entry, style_);
         for (const std::string& sentence : entry.unknown) said += (said.empty() ? "" : "; ") + sentence;
-        const double top = y + 16 + pdf_.text(x, y + 15, width, kTimes_pt, said, kSmall);
+        const double top = y + 18 + pdf_.text(x, y + 15, width, kTimes_pt, said, kSmall);
         if (entry.pictures.empty()) return {};
         return draw_picture(entry.pictures.front(), x, top, width, y + height - top - 10);
     }

@@ -32,7 +32,7 @@ section{margin:1.2rem 0}
 @media print{body{font-size:9.5pt;margin:0;max-width:none;padding:0}nav{display:none}section+section{break-before:page}
 tr{break-inside:avoid}.slide .old,.slide+input{display:none}figure{flex-basis:0;max-width:47%}
 
-.grid{grid-template-columns:repeat(3,1fr)}.grid figure{max-width:none}.grid .entry{padding:2mm 0;min-height:62mm}
+.grid{grid-template-columns:repeat(3,1fr)}.grid figure{max-width:none}.grid .entry{padding:2mm 0;min-height:54mm}
 .pencil{display:block;border-bottom:1px solid #999;height:1.6em}}
 )";
 
