@@ -5,6 +5,7 @@
 #include "base/log.h"
 #include "gpu/buffer.h"
 #include "gpu/push_layout.h"
+#include "gpu/shader_constants.h"
 #include "gpu/texture.h"
 
 #include <algorithm>
@@ -79,10 +80,11 @@ Pipeline make_pipeline(const Device& device, const Shader& shader,
                        const std::vector<VkDescriptorType>& bindings,
                        const std::vector<std::uint32_t>& constants) {
     Pipeline pipeline{make_push_layout(device, bindings, VK_SHADER_STAGE_COMPUTE_BIT), VK_NULL_HANDLE};
+    const std::vector<std::uint32_t> words = with_constants(shader, constants);
     VkShaderModuleCreateInfo module_info{};
     module_info.sType = VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO;
-    module_info.codeSize = shader.words.size_bytes();
-    module_info.pCode = shader.words.data();
+    module_info.codeSize = words.size() * sizeof words[0];
+    module_info.pCode = words.data();
     VkShaderModule module = VK_NULL_HANDLE;
     VK_CALL(vkCreateShaderModule(device.handle(), &module_info, nullptr, &module));
     VkComputePipelineCreateInfo info{};
@@ -91,11 +93,6 @@ Pipeline make_pipeline(const Device& device, const Shader& shader,
     info.stage.stage = VK_SHADER_STAGE_COMPUTE_BIT;
     info.stage.module = module;
     info.stage.pName = "main";
-    std::vector<VkSpecializationMapEntry> entries;
-    for (std::uint32_t i = 0; i < constants.size(); ++i) entries.push_back({i, i * 4, 4});
-    const VkSpecializationInfo specialisation{static_cast<std::uint32_t>(entries.size()), entries.data(),
-                                              constants.size() * 4, constants.data()};
-    info.stage.pSpecializationInfo = &specialisation;
     info.layout = pipeline.layout.pipeline;
     info.flags = device.pipelines().flags();
     VK_CALL(vkCreateComputePipelines(device.handle(), VK_NULL_HANDLE, 1, &info, nullptr, &pipeline.handle));
