@@ -148,7 +148,7 @@ class AtWork(unittest.TestCase):
         toml = self.show / "show.toml"
         text = toml.read_text(encoding="utf-8")
         self.assertIn("\nsize = [1024, 300]\n", text)
-        toml.write_text(text.replace("\nsize = [1024, 300]\n", "\nsize = [512, 150]\n"), encoding="utf-8")
+        toml.write_text(text.replace("\nsize = [1024, 300]\n", "\nsize = [768, 225]\n"), encoding="utf-8")
         window = self.open()
         try:
             window.do("camera house", "wait settled", "resolution 0")
@@ -168,7 +168,7 @@ class AtWork(unittest.TestCase):
             window.do("resolution 0", "jump 36", "wait 0.2", "freeze on")  # the show went on meanwhile, perhaps into the dark
             state = window.until(lambda state: state["picture"]["baked"])
             self.assertIn("baked: house", state["picture"]["supply"])
-            self.assertEqual(state["picture"]["camera"]["width"], 512)
+            self.assertEqual(state["picture"]["camera"]["width"], 768)
             window.do("wait settled")
             window.shoot("baked.png")
             baked = window.picture("baked")
