@@ -5,6 +5,7 @@
 #include "base/log.h"
 #include "gpu/buffer.h"
 #include "gpu/push_layout.h"
+#include "gpu/shader_constants.h"
 #include "gpu/texture.h"
 
 #include <algorithm>
@@ -15,6 +16,7 @@ namespace ghost::gpu {
 namespace {
 
 constexpr std::uint32_t kMaxSpans = 8192;
+constexpr std::uint32_t kQueriesAtOnce = 32;
 constexpr std::uint64_t kUniformBytes = 64 * 1024; // what every desktop device and lavapipe bind at once
 
 [[noreturn]] void refuse_bindings(std::string_view shader, const std::string& why) {
@@ -78,10 +80,11 @@ Pipeline make_pipeline(const Device& device, const Shader& shader,
                        const std::vector<VkDescriptorType>& bindings,
                        const std::vector<std::uint32_t>& constants) {
     Pipeline pipeline{make_push_layout(device, bindings, VK_SHADER_STAGE_COMPUTE_BIT), VK_NULL_HANDLE};
+    const std::vector<std::uint32_t> words = with_constants(shader, constants);
     VkShaderModuleCreateInfo module_info{};
     module_info.sType = VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO;
-    module_info.codeSize = shader.words.size_bytes();
-    module_info.pCode = shader.words.data();
+    module_info.codeSize = words.size() * sizeof words[0];
+    module_info.pCode = words.data();
     VkShaderModule module = VK_NULL_HANDLE;
     VK_CALL(vkCreateShaderModule(device.handle(), &module_info, nullptr, &module));
     VkComputePipelineCreateInfo info{};
@@ -90,11 +93,6 @@ Pipeline make_pipeline(const Device& device, const Shader& shader,
     info.stage.stage = VK_SHADER_STAGE_COMPUTE_BIT;
     info.stage.module = module;
     info.stage.pName = "main";
-    std::vector<VkSpecializationMapEntry> entries;
-    for (std::uint32_t i = 0; i < constants.size(); ++i) entries.push_back({i, i * 4, 4});
-    const VkSpecializationInfo specialisation{static_cast<std::uint32_t>(entries.size()), entries.data(),
-                                              constants.size() * 4, constants.data()};
-    info.stage.pSpecializationInfo = &specialisation;
     info.layout = pipeline.layout.pipeline;
     info.flags = device.pipelines().flags();
     VK_CALL(vkCreateComputePipelines(device.handle(), VK_NULL_HANDLE, 1, &info, nullptr, &pipeline.handle));
@@ -122,6 +120,25 @@ Program::Program(const Device& device, const Shader& built_in, const Shader& sha
                                   return make_pipeline(device, shader, bindings, constants);
                               })) {}
 
+namespace {
+
+// The queries of spans are made and reset where there are any: most commands (uploads) have none, and a reset
+// of thousands took the validation layer longer than all that a frame records.
+void write_timestamp(const Device& device, VkCommandBuffer commands, VkQueryPool& queries,
+                     std::uint32_t index) {
+    if (queries == VK_NULL_HANDLE) {
+        VkQueryPoolCreateInfo info{};
+        info.sType = VK_STRUCTURE_TYPE_QUERY_POOL_CREATE_INFO;
+        info.queryType = VK_QUERY_TYPE_TIMESTAMP;
+        info.queryCount = kMaxSpans + kQueriesAtOnce;
+        VK_CALL(vkCreateQueryPool(device.handle(), &info, nullptr, &queries));
+    }
+    if (index % kQueriesAtOnce == 0) vkCmdResetQueryPool(commands, queries, index, kQueriesAtOnce);
+    vkCmdWriteTimestamp2(commands, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, queries, index);
+}
+
+} // namespace
+
 Commands::Commands(const Device& device) : device_(device) {
     VkCommandPoolCreateInfo pool{};
     pool.sType = VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO;
@@ -136,11 +153,6 @@ Commands::Commands(const Device& device) : device_(device) {
     VkFenceCreateInfo fence{};
     fence.sType = VK_STRUCTURE_TYPE_FENCE_CREATE_INFO;
     VK_CALL(vkCreateFence(device.handle(), &fence, nullptr, &fence_));
-    VkQueryPoolCreateInfo queries{};
-    queries.sType = VK_STRUCTURE_TYPE_QUERY_POOL_CREATE_INFO;
-    queries.queryType = VK_QUERY_TYPE_TIMESTAMP;
-    queries.queryCount = kMaxSpans + 1;
-    VK_CALL(vkCreateQueryPool(device.handle(), &queries, nullptr, &queries_));
 }
 
 Commands::~Commands() {
@@ -154,7 +166,6 @@ void Commands::begin() {
     info.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO;
     info.flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT;
     VK_CALL(vkBeginCommandBuffer(commands_, &info));
-    vkCmdResetQueryPool(commands_, queries_, 0, kMaxSpans + 1);
     is_settled_ = true;
     names_.clear();
 }
@@ -260,8 +271,7 @@ void Commands::clear(const Texture& texture) {
 
 void Commands::begin_span(const std::string& name) {
     if (names_.size() >= kMaxSpans || !device_.limits().timestamps) return;
-    vkCmdWriteTimestamp2(commands_, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, queries_,
-                         static_cast<std::uint32_t>(names_.size()));
+    write_timestamp(device_, commands_, queries_, static_cast<std::uint32_t>(names_.size()));
     // lavapipe reads the clock when what follows waits, not before: without this a span has the time of the
     // next.
     if (device_.is_cpu()) {
@@ -273,7 +283,7 @@ void Commands::begin_span(const std::string& name) {
 
 void Commands::submit_and_wait() {
     const auto count = static_cast<std::uint32_t>(names_.size());
-    if (count > 0) vkCmdWriteTimestamp2(commands_, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, queries_, count);
+    if (count > 0) write_timestamp(device_, commands_, queries_, count);
     barrier();
     VK_CALL(vkEndCommandBuffer(commands_));
     VkCommandBufferSubmitInfo buffer{};

@@ -4,6 +4,7 @@
 #include "base/check.h"
 #include "gpu/buffer.h"
 #include "gpu/push_layout.h"
+#include "gpu/shader_constants.h"
 #include "gpu/texture.h"
 
 #include <array>
@@ -13,11 +14,11 @@ namespace {
 
 constexpr VkShaderStageFlags kStages = VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT;
 
-VkShaderModule make_module(const Device& device, const Shader& shader) {
+VkShaderModule make_module(const Device& device, const std::vector<std::uint32_t>& words) {
     VkShaderModuleCreateInfo info{};
     info.sType = VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO;
-    info.codeSize = shader.words.size_bytes();
-    info.pCode = shader.words.data();
+    info.codeSize = words.size() * sizeof words[0];
+    info.pCode = words.data();
     VkShaderModule module = VK_NULL_HANDLE;
     VK_CALL(vkCreateShaderModule(device.handle(), &info, nullptr, &module));
     return module;
@@ -36,18 +37,13 @@ VkRenderingAttachmentInfo attachment(const Texture& texture, Before before) {
 Pipeline make_pipeline(const Device& device, const Shader& vertex, const Shader& fragment,
                        const std::vector<VkDescriptorType>& bindings, const RasterShape& shape) {
     Pipeline pipeline{make_push_layout(device, bindings, kStages), VK_NULL_HANDLE};
-    std::vector<VkSpecializationMapEntry> entries;
-    for (std::uint32_t i = 0; i < shape.constants.size(); ++i) entries.push_back({i, i * 4, 4});
-    const VkSpecializationInfo specialisation{static_cast<std::uint32_t>(entries.size()), entries.data(),
-                                              shape.constants.size() * 4, shape.constants.data()};
     std::array<VkPipelineShaderStageCreateInfo, 2> stages{};
     const std::array<const Shader*, 2> shaders{&vertex, &fragment};
     for (std::size_t i = 0; i < stages.size(); ++i) {
         stages[i].sType = VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO;
         stages[i].stage = i == 0 ? VK_SHADER_STAGE_VERTEX_BIT : VK_SHADER_STAGE_FRAGMENT_BIT;
-        stages[i].module = make_module(device, *shaders[i]);
+        stages[i].module = make_module(device, with_constants(*shaders[i], shape.constants));
         stages[i].pName = "main";
-        stages[i].pSpecializationInfo = &specialisation;
     }
 
     const VkVertexInputBindingDescription buffer{0, shape.vertex_stride, VK_VERTEX_INPUT_RATE_VERTEX};

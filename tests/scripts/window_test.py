@@ -100,7 +100,7 @@ class Controls(unittest.TestCase):
 
     @classmethod
     def setUpClass(cls):
-        cls.window = Window("--size", "720x480", "--no-desk", "--quiet")
+        cls.window = Window("--size", "480x320", "--no-desk", "--quiet")
         cls.window.do("wait opened", *[f"panel-{one} off" for one in ("fixtures", "values", "programmer", "scene", "looks")], "resolution 12",
                       "freeze on", "jump 36", "camera close", "wait settled", "exposure 6.5", "wait settled")
         cls.show = cls.window.picture("show")

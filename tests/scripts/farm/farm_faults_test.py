@@ -55,9 +55,10 @@ def a_node_dies(ghost, cluster, show, whole):
 def the_controller_dies(ghost, cluster, show, whole):
     watching, plan = started(ghost, show, "dead.mp4", "--farm", "slurm")
     wait_for_pictures(plan, 2)
-    # Both have to have seen Slurm before it dies.
-    impatient = ghost.start("farm", "wait", show, "--patience", "5")
-    time.sleep(3)
+    # Both have to have seen Slurm before it dies: this one, which began later, says so.
+    impatient = ghost.start("--progress-every", "0.2", "farm", "wait", show, "--patience", "5")
+    line = impatient.stdout.readline()
+    assert "of 4 tasks done" in line, line
     cluster.kill_controller()
     said = ghost.run("farm", "status", show, code=1, says="of 4 tasks done")
     assert "Slurm says: slurm_load_jobs error: Unable to contact slurm controller" in said, said

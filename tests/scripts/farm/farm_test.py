@@ -15,11 +15,12 @@ sys.path.insert(0, str(SOURCE / "tests/scripts/lib"))
 from farm import FILM, Ghostlight, files_of, numbered, plan_of, small_show  # noqa: E402  (the folder is known only now)
 
 work = pathlib.Path(tempfile.mkdtemp(prefix="ghost-farm-"))
+SIZE = (32, 16)
 ghost = Ghostlight(BUILD / "ghostlight", dict(os.environ), work)
 
 
 def bakes():
-    one, cut = small_show(SOURCE, work / "one"), small_show(SOURCE, work / "cut")
+    one, cut = small_show(SOURCE, work / "one", SIZE), small_show(SOURCE, work / "cut", SIZE)
     ghost.run("bake", one, "--spp", "4")
     said = ghost.run("bake", cut, "--spp", "4", "--farm", "local", "--farm-jobs", "2")
     assert "9 tasks" in said, said  # three cameras: surroundings, and ten lights by eight
@@ -80,7 +81,7 @@ def tasks_by_hand(show):
     (plan / "done/result.json").unlink()
     assert ghost.run("farm", "tasks", plan).split() == ["1", "2", "3"]  # pictures are gone, maps and passes are not
     limits = {"preexec_fn": lambda: (signal.signal(signal.SIGXFSZ, signal.SIG_IGN),
-                                     resource.setrlimit(resource.RLIMIT_FSIZE, (500, 500)))}
+                                     resource.setrlimit(resource.RLIMIT_FSIZE, (300, 300)))}
     said = ghost.run("farm", "run", plan, "1", code=1, **limits)  # as a full disk
     assert "File too large" in said, said
     assert "1" in ghost.run("farm", "tasks", plan).split() and not list((plan / "frames").iterdir())

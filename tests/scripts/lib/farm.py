@@ -8,14 +8,15 @@ import subprocess
 FILM = ["--view", "house", "--from", "6", "--to", "22"]  # frames 180 to 659: cut at 240 and 480
 
 
-def small_show(source, folder):
-    """A copy of the demo whose cameras are small, beside its fixtures."""
+def small_show(source, folder, size=(64, 32)):
+    """A copy of the demo whose cameras are small, beside its fixtures. size: of their pictures; 64 x 32 are drawn slowly enough that a task can
+    be disturbed in the middle."""
     shutil.copytree(source / "assets/demo", folder, ignore=shutil.ignore_patterns(".ghost"))
     if not (folder.parent / "fixtures").exists():
         shutil.copytree(source / "assets/fixtures", folder.parent / "fixtures")
     toml = folder / "show.toml"
     text = toml.read_text(encoding="utf-8")
-    toml.write_text(re.sub(r"^size = .*$", "size = [64, 32]", text, flags=re.M), encoding="utf-8")
+    toml.write_text(re.sub(r"^size = .*$", f"size = {list(size)}", text, flags=re.M), encoding="utf-8")
     return folder
 
 
