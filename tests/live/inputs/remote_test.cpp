@@ -66,8 +66,9 @@ TEST(Remote, cameras_by_name_and_number) {
 }
 
 TEST(Remote, cues_by_name_by_number_and_one_after_another) {
-    scene::Cue walk_in{"Walk-in", 0.0, "", 0, ""}, solo{"Solo", 61.5, "high", 2, ""},
-        end{"End", {}, "house", 0, ""};
+    const scene::Cue walk_in{.name = "Walk-in", .at_s = 0.0},
+        solo{.name = "Solo", .at_s = 61.5, .camera = "high", .flight_s = 2},
+        end{.name = "End", .camera = "house"};
     Remote remote({"house", "high"}, {walk_in, solo, end});
     EXPECT_TRUE(remote.apply(message("/ghostlight/cue", {std::string("Solo")})).ok());
     EXPECT_EQ(remote.request().jumps, 1u);
