@@ -3611,8 +3611,8 @@
         <translation>keine Werte kommen an, obwohl %1: Ist die Ausgabe des Pults an, ist es in diesem Netzwerk, sendet es an ein Universum von uns? Gehört wird auf %2</translation>
     </message>
     <message>
-        <source>packets arrive, and none of them can be read as levels: %1. Whoever sends them has to be mended</source>
-        <translation>Pakete kommen an, aber keines ist als Werte lesbar: %1. Der Fehler liegt beim Absender</translation>
+        <source>packets arrive, and none of them can be read as levels: %1. If they are the desk&apos;s, it has to be mended; if not: is its output on, and is it in this network? We listen on %2</source>
+        <translation>Pakete kommen an, aber keines ist als Werte lesbar: %1. Kommen sie vom Pult, liegt der Fehler dort; wenn nicht: Ist seine Ausgabe an, und ist es in diesem Netzwerk? Gehört wird auf %2</translation>
     </message>
     <message>
         <source>the port %1 of %2 is taken by %3, too: of two programs only the one started last gets a desk&apos;s unicast. Close the other one, or start again with --interface and an address of this machine</source>
@@ -3671,12 +3671,12 @@
         <translation>%1 Gerät auf %2 (&apos;%3&apos;), dort kommt nichts an</translation>
     </message>
     <message>
-        <source>nobody sends %1 any more, since %2: black (--on-loss)</source>
-        <translation>niemand sendet mehr %1, seit %2: schwarz (--on-loss)</translation>
+        <source>nothing comes for %1 any more, since %2: black (--on-loss). Its desk has stopped, or something on the way lets nothing through any more: a cable, a firewall, or a switch that prunes multicast after minutes (IGMP snooping without a querier)</source>
+        <translation>nichts kommt mehr für %1, seit %2: schwarz (--on-loss). Das Pult hat aufgehört, oder etwas unterwegs lässt nichts mehr durch: ein Kabel, eine Firewall oder ein Switch, der Multicast nach Minuten abschneidet (IGMP-Snooping ohne Querier)</translation>
     </message>
     <message>
-        <source>nobody sends %1 any more, since %2: the last look is held</source>
-        <translation>niemand sendet mehr %1, seit %2: das letzte Bild wird gehalten</translation>
+        <source>nothing comes for %1 any more, since %2: the last look is held. Its desk has stopped, or something on the way lets nothing through any more: a cable, a firewall, or a switch that prunes multicast after minutes (IGMP snooping without a querier)</source>
+        <translation>nichts kommt mehr für %1, seit %2: das letzte Bild wird gehalten. Das Pult hat aufgehört, oder etwas unterwegs lässt nichts mehr durch: ein Kabel, eine Firewall oder ein Switch, der Multicast nach Minuten abschneidet (IGMP-Snooping ohne Querier)</translation>
     </message>
     <message>
         <source>%1 is one source too many on %2 and ignored: %3</source>

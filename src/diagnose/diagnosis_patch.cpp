@@ -18,10 +18,17 @@ struct Shift {
     std::set<int> arriving;
 };
 
-std::optional<Shift> find_shift(dmx::Protocol protocol, const std::set<int>& arriving,
-                                const PatchMap& patch) {
+// What another protocol feeds is missing nothing: universes of somebody else lie beside it by chance.
+std::optional<Shift> find_shift(dmx::Protocol protocol, const Arriving& all, const PatchMap& patch) {
+    const std::set<int> arriving = all.announced(protocol);
+    const auto is_fed = [&](int universe) {
+        return std::any_of(all.by_protocol.begin(), all.by_protocol.end(), [&](const auto& one) {
+            return one.first != protocol && one.second.contains(universe);
+        });
+    };
     const auto matches = [&](int by) {
-        return std::count_if(arriving.begin(), arriving.end(), [&](int u) { return patch.has(u + by); });
+        return std::count_if(arriving.begin(), arriving.end(),
+                             [&](int u) { return patch.has(u + by) && (by == 0 || !is_fed(u + by)); });
     };
     const int by = matches(-1) > matches(1) ? -1 : 1;
     if (matches(by) <= matches(0)) return std::nullopt;
@@ -73,7 +80,7 @@ void add_patch(const dmx::Statistics& statistics, const Arriving& arriving, cons
     if (patch.universes().empty()) return;
     std::set<int> explained_patch, explained_arriving;
     for (const auto protocol : {dmx::Protocol::artnet, dmx::Protocol::sacn}) {
-        const auto shift = find_shift(protocol, arriving.announced(protocol), patch);
+        const auto shift = find_shift(protocol, arriving, patch);
         if (!shift) continue;
         std::set<int> wanted;
         for (const int universe : shift->arriving) {
@@ -111,7 +118,9 @@ void add_patch(const dmx::Statistics& statistics, const Arriving& arriving, cons
                               missing));
     // What is only announced, where nothing else explains what is missing.
     std::set<int> only_announced;
-    if (!missing.empty() && elsewhere.empty())
+    const bool is_announced = std::any_of(missing.begin(), missing.end(),
+                                          [&](int universe) { return arriving.listed.contains(universe); });
+    if (!missing.empty() && elsewhere.empty() && !is_announced)
         for (const auto& [universe, one] : arriving.listed)
             if (!patch.has(universe) && !explained_arriving.contains(universe))
                 only_announced.insert(universe);
@@ -145,9 +154,12 @@ void add_lost(const dmx::Statistics& statistics, const PatchMap& patch, Sentence
         }
         if (universes.empty()) continue;
         out.push_back(problem(Trouble::lost,
-                              "nobody sends " + universes_text(universes) + " any more, since " +
+                              "nothing comes for " + universes_text(universes) + " any more, since " +
                                   seconds_text(longest) + ": " +
-                                  (black ? "black (--on-loss)" : "the last look is held"),
+                                  (black ? "black (--on-loss)" : "the last look is held") +
+                                  ". Its desk has stopped, or something on the way lets nothing through any "
+                                  "more: a cable, a firewall, or a switch that prunes multicast after "
+                                  "minutes (IGMP snooping without a querier)",
                               universes));
     }
 }

@@ -4,6 +4,7 @@
 #include "diagnose/diagnosis_parts.h"
 
 #include <algorithm>
+#include <numeric>
 
 namespace ghost::scene::diagnosed {
 
@@ -34,6 +35,13 @@ void add_links(const dmx::Statistics& statistics, bool any_arrives, Sentences& o
 
 namespace {
 
+// Fewer that cannot be read may be anybody's, and long ago.
+constexpr std::uint64_t kManyRefused = 20;
+
+std::uint64_t refused_count(const dmx::Statistics& statistics) {
+    return std::accumulate(statistics.drops.begin(), statistics.drops.end(), std::uint64_t{0});
+}
+
 // "260 too short, 3 not ours"; "" where none was refused.
 std::string refused_text(const dmx::Statistics& statistics) {
     std::string text;
@@ -54,6 +62,10 @@ std::string others_text(const dmx::Statistics& statistics) {
             text += (text.empty() ? "" : ", ") + std::to_string(count) + " " +
                     dmx::notice_name(static_cast<dmx::Notice>(i));
         }
+    if (const std::string refused = refused_text(statistics); !refused.empty()) {
+        sum += refused_count(statistics);
+        text += (text.empty() ? "" : ", ") + refused;
+    }
     return sum == 0 ? "" : ", though " + count_text(sum, "other packet") + " did (" + text + ")";
 }
 
@@ -84,6 +96,7 @@ void add_wrong_interface(const dmx::Statistics& statistics, const Arriving& arri
 // Announced by sACN's lists, which come by multicast, too, and yet no level of it.
 void add_held_back(const dmx::Statistics& statistics, const Arriving& arriving, const PatchMap& patch,
                    Sentences& out) {
+    if (refused_count(statistics) >= kManyRefused) return; // it comes, and cannot be read
     std::map<std::string, std::set<int>> held;
     for (const auto& [universe, one] : arriving.listed)
         if (one.protocol == dmx::Protocol::sacn && patch.has(universe) && !arriving.has(universe))
@@ -106,11 +119,18 @@ std::string joined_ports(bool sacn, bool artnet) {
 void add_nothing(const dmx::Statistics& statistics, const Arriving& arriving, const PatchMap& patch,
                  Sentences& out) {
     const dmx::Listening& listening = statistics.listening;
-    const std::string refused = refused_text(statistics);
-    if (!refused.empty()) {
-        out.push_back(problem(Trouble::nothing_arrives,
-                              "packets arrive, and none of them can be read as levels: " + refused +
-                                  ". Whoever sends them has to be mended"));
+    if (refused_count(statistics) >= kManyRefused) {
+        const bool has_bad_universe = statistics.drops[static_cast<std::size_t>(dmx::Drop::bad_universe)] > 0;
+        out.push_back(problem(
+            Trouble::nothing_arrives,
+            "packets arrive, and none of them can be read as levels: " + refused_text(statistics) +
+                (has_bad_universe && listening.artnet && listening.artnet_offset < 1
+                     ? ". With --artnet-offset " + std::to_string(listening.artnet_offset) +
+                           " the first Port-Addresses have no universe"
+                     : "") +
+                ". If they are the desk's, it has to be mended; if not: is its output on, and is it in this "
+                "network? We listen on " +
+                addresses_text(statistics)));
         return;
     }
     const std::string others = others_text(statistics);
@@ -132,10 +152,13 @@ void add_nothing(const dmx::Statistics& statistics, const Arriving& arriving, co
         text += "; " + arriving.announced_text(listed) +
                 (patch.universes().empty() ? ", which --universes can name" : "");
     if (others.empty()) // else packets get through
-        text += ". A desk on this very machine has to send unicast to 127.0.0.1: multicast of QLC+ does not "
-                "come back here"
-                ". To tell them apart: where 'tcpdump -ni any udp port 5568 or udp port 6454' shows "
-                "packets, a firewall of this machine drops them; where it shows none, they do not get here";
+        text +=
+            ". A desk on this very machine has to send unicast to 127.0.0.1: multicast of QLC+ does not "
+            "come back here"
+            ". To tell them apart: where 'tcpdump -ni any udp port 5568 or udp port 6454' shows "
+            "packets to an address of ours, to its broadcast or to 239.255, a firewall of this machine "
+            "drops them; where it shows none at all, they do not get here: a cable, another VLAN, a switch "
+            "that holds multicast back (IGMP snooping without a querier), or a desk that is silent";
     out.push_back(problem(Trouble::nothing_arrives, text));
 }
 
@@ -153,7 +176,8 @@ void add_silence(const dmx::Statistics& statistics, const Arriving& arriving, co
     };
     const bool elsewhere = !patch.universes().empty() &&
                            std::any_of(arriving.listed.begin(), arriving.listed.end(), is_elsewhere);
-    if (out.size() == before && !elsewhere && arriving.nothing() && statistics.lost.empty() &&
+    const bool is_unread = refused_count(statistics) >= kManyRefused;
+    if (out.size() == before && (!elsewhere || is_unread) && arriving.nothing() && statistics.lost.empty() &&
         (listening.sacn || listening.artnet))
         add_nothing(statistics, arriving, patch, out);
     for (const dmx::PortUser& user : statistics.port_users) {

@@ -268,6 +268,9 @@ std::optional<Nack> Responder::set(const Message& message, const Wants& wants) {
     }
     case Pid::dmx_personality:
         if (data[0] < 1 || data[0] > device_.personalities.size()) return Nack::data_out_of_range;
+        if (const int footprint = device_.personalities[data[0] - 1u].footprint;
+            device_.footprint() > 0 && device_.start_address + footprint - 1 > kSlots)
+            return Nack::data_out_of_range; // it would end beyond the universe
         change.what = Change::What::personality;
         change.number = data[0];
         break;

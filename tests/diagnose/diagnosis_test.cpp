@@ -118,7 +118,10 @@ TEST(diagnosis, NothingArrives) {
     silent.statistics.drops[static_cast<std::size_t>(dmx::Drop::too_short)] = 260;
     EXPECT_EQ(silent.troubles(), Troubles{Trouble::nothing_arrives});
     expect_words(silent.text(Trouble::nothing_arrives),
-                 {"packets arrive, and none of them", "260 too_short"});
+                 {"packets arrive, and none of them", "260 too_short", "is its output on"});
+    silent.statistics.drops[static_cast<std::size_t>(dmx::Drop::too_short)] = 1;
+    expect_words(silent.text(Trouble::nothing_arrives),
+                 {"though 4 other packets did", "1 too_short", "is the desk's output on"});
     silent.statistics.time = silent.statistics.listening.since + 3s;
     EXPECT_EQ(silent.troubles(), Troubles{}) << "three seconds prove nothing";
 }
@@ -199,6 +202,10 @@ TEST(diagnosis, OffByOne) {
     EXPECT_EQ(sacn.troubles(), Troubles{Trouble::off_by_one});
     expect_words(sacn.text(Trouble::off_by_one), {"sACN", "by one"});
     EXPECT_EQ(sacn.text(Trouble::off_by_one).find("artnet"), std::string::npos);
+    Network shared({1});
+    shared.sends({1}).sends({2}, dmx::Protocol::artnet);
+    EXPECT_EQ(shared.troubles(), Troubles{Trouble::not_patched}) << "the Art-Net is somebody else's";
+    EXPECT_FALSE(shared.sentences()[0].is_problem);
 }
 
 // Multicast of universes that nobody patched is not joined: what a source says it sends will do.
@@ -246,7 +253,8 @@ TEST(diagnosis, ALostUniverse) {
     network.sends({4});
     network.statistics.lost = {{3, false, 12s}, {9, false, 5s}};
     EXPECT_EQ(network.troubles(), Troubles{Trouble::lost});
-    expect_words(network.text(Trouble::lost), {"universe 3 any more", "since 12 s", "last look is held"});
+    expect_words(network.text(Trouble::lost),
+                 {"universe 3 any more", "since 12 s", "last look is held", "a firewall"});
     network.statistics.lost = {{3, true, 70s}};
     expect_words(network.text(Trouble::lost), {"black", "70 s"});
     Network all({3});
@@ -322,6 +330,9 @@ TEST(diagnosis, WhatASourceAnnouncesAndDoesNotArrive) {
     desk.from = dmx::IpAddress(0xC0A80107);
     desk.universes = std::make_shared<const std::vector<std::uint16_t>>(std::vector<std::uint16_t>{1, 2});
     network.statistics.discovered = {desk};
+    network.statistics.drops[static_cast<std::size_t>(dmx::Drop::bad_priority)] = 400;
+    EXPECT_EQ(network.troubles(), Troubles{Trouble::nothing_arrives}) << "it comes, and cannot be read";
+    network.statistics.drops = {};
     EXPECT_EQ(network.troubles(), Troubles{Trouble::held_back});
     expect_words(network.text(Trouble::held_back),
                  {"'FOH' (192.168.1.7) announces universe 1", "unicast", "IGMP snooping"});

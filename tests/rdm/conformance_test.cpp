@@ -245,6 +245,22 @@ TEST(RdmConformance, without_slots_there_is_no_address) {
               static_cast<int>(Answer::nack));
 }
 
+TEST(RdmConformance, a_personality_ends_within_the_universe) {
+    Device device = head();
+    device.personalities = {{"Small", 3}, {"Large", 30}};
+    device.personality = 1;
+    device.start_address = 510;
+    Responder responder(device);
+    Leave leave;
+    const auto large = responder.take(ask(Command::set, Pid::dmx_personality, {2}), leave.wants());
+    EXPECT_EQ(large.message->port_or_answer, static_cast<int>(Answer::nack));
+    EXPECT_EQ(large.message->data, (Data{0, static_cast<std::uint8_t>(Nack::data_out_of_range)}));
+    device.start_address = 483;
+    Responder there(device);
+    EXPECT_EQ(there.take(ask(Command::set, Pid::dmx_personality, {2}), leave.wants()).message->port_or_answer,
+              static_cast<int>(Answer::ack));
+}
+
 TEST(RdmConformance, labels_end_at_32_bytes) {
     Device device = head();
     device.label = device.model_name = std::string(100, 'x');

@@ -72,12 +72,15 @@ class Stage:
         for words in self.setup["vis"]:
             ip("-n", self.vis, *words.split())
         if self.setup["firewall"] and shutil.which("nft"):
-            self.command(self.vis, "nft", "add table ip f; add chain ip f c { type filter hook input priority 0; }; "
-                         "add rule ip f c udp dport { 5568, 6454 } drop")
+            self.drop_at_firewall()
         self.write_show()
 
     def command(self, namespace, *words):
         subprocess.run(["ip", "netns", "exec", namespace, *words], check=True, capture_output=True, text=True, timeout=20)
+
+    def drop_at_firewall(self):
+        self.command(self.vis, "nft", "add table ip f; add chain ip f c { type filter hook input priority 0; }; "
+                     "add rule ip f c udp dport { 5568, 6454 } drop")
 
     def write_show(self):
         self.show = self.folder / "show"
@@ -105,11 +108,17 @@ class Stage:
         senders = [sacn()] if senders is None else senders
         if self.setup["firewall"] and not shutil.which("nft"):
             senders = []  # on our side of it the same
+        later = self.setup["firewall_after_s"]
+        if later and not shutil.which("nft"):
+            senders = [{**one, "stops_s": later} for one in senders]  # on our side of it the same
         if not senders:
             return
         desk = self.start(self.desk, sys.executable, SOURCE / "tests/scripts/lib/mistaken_desk.py", json.dumps(senders), "10.93.0.1",
                           stdout=subprocess.PIPE)
         assert desk.stdout.readline() == "sending\n"
+        if later and shutil.which("nft"):
+            time.sleep(later)
+            self.drop_at_firewall()
 
     def share_port(self):
         if self.setup["other"]:

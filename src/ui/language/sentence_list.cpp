@@ -167,7 +167,8 @@ constexpr const char* kSentences[] = {
                       "send to a universe of ours? We listen on %2"),
     QT_TRANSLATE_NOOP(
         "Sentence",
-        "packets arrive, and none of them can be read as levels: %1. Whoever sends them has to be mended"),
+        "packets arrive, and none of them can be read as levels: %1. If they are the desk's, it has to be "
+        "mended; if not: is its output on, and is it in this network? We listen on %2"),
     QT_TRANSLATE_NOOP(
         "Sentence",
         "the port %1 of %2 is taken by %3, too: of two programs only the one started last gets a desk's "
@@ -191,8 +192,14 @@ constexpr const char* kSentences[] = {
     QT_TRANSLATE_NOOP("Sentence", "packets for %1 arrive (%2), nothing is patched there"),
     QT_TRANSLATE_NOOP("Sentence", "%1 fixtures on %2 ('%3', ...), nothing arrives there"),
     QT_TRANSLATE_NOOP("Sentence", "%1 fixture on %2 ('%3'), nothing arrives there"),
-    QT_TRANSLATE_NOOP("Sentence", "nobody sends %1 any more, since %2: black (--on-loss)"),
-    QT_TRANSLATE_NOOP("Sentence", "nobody sends %1 any more, since %2: the last look is held"),
+    QT_TRANSLATE_NOOP("Sentence",
+                      "nothing comes for %1 any more, since %2: black (--on-loss). Its desk has stopped, or "
+                      "something on the way lets nothing through any more: a cable, a firewall, or a switch "
+                      "that prunes multicast after minutes (IGMP snooping without a querier)"),
+    QT_TRANSLATE_NOOP("Sentence",
+                      "nothing comes for %1 any more, since %2: the last look is held. Its desk has stopped, "
+                      "or something on the way lets nothing through any more: a cable, a firewall, or a "
+                      "switch that prunes multicast after minutes (IGMP snooping without a querier)"),
     QT_TRANSLATE_NOOP("Sentence", "%1 is one source too many on %2 and ignored: %3"),
     QT_TRANSLATE_NOOP("Sentence", "%1 are too many sources on %2 and ignored: %3"),
     QT_TRANSLATE_NOOP("Sentence", "Art-Net merges two"),

@@ -18,6 +18,7 @@ STANDARD = {
     "show": None,  # None: live; else frames of a recording, explained only
     "gdtf": None,  # another file of the fixtures
     "firewall": False,
+    "firewall_after_s": None,
     "ola": None,  # OLA (real_desks.ola)
     "qlc": None,  # QLC+ (real_desks.qlc)
     "at_s": 0.1,  # of it
@@ -84,11 +85,17 @@ MISTAKES = [
     ("seventeen", "more sACN sources on a universe than are merged", {"send": [sacn(cid=i, name=f"Desk {i}") for i in range(1, 18)]}, "too_many",
      ["16 are merged"]),
     ("sync_stops", "synchronisation packets stop", {"once": True, "send": [sacn(sync=10, sync_stops_s=6)]}, "waits_for_sync", ["wait for a synchronisation packet"]),
-    ("crash", "the desk crashes", {"once": True, "send": [sacn(stops_s=6)]}, "lost", ["nobody sends universe 1 any more"]),
-    ("goodbye", "the desk switches its output off while we look", {"once": True, "send": [sacn(stops_s=6, goodbye=True)]}, "lost", ["nobody sends universe 1 any more"]),
+    ("crash", "the desk crashes", {"once": True, "send": [sacn(stops_s=6)]}, "lost", ["nothing comes for universe 1 any more"]),
+    ("goodbye", "the desk switches its output off while we look", {"once": True, "send": [sacn(stops_s=6, goodbye=True)]}, "lost", ["nothing comes for universe 1 any more"]),
     ("priority_250", "a sender with a priority that does not exist", {"send": [sacn(priority=250)]}, "nothing_arrives", ["bad_priority"]),
     ("old_artnet", "a sender of an Art-Net version that is none", {"send": [artnet(version=13)]}, "nothing_arrives", ["bad_version"]),
     ("garbage", "another protocol on the port of sACN", {"send": [sacn(garbage=True)]}, "nothing_arrives", ["not_ours"]),
+    ("unread_announced", "a desk announces its universe and sends it with a priority that does not exist", {"send": [sacn(priority=250, announces=[1])]}, "nothing_arrives",
+     ["bad_priority"]),
+    ("offset_0", "--artnet-offset 0, and the desk sends the first Port-Address", {"options": ["--artnet-offset", "0"], "send": [artnet(0)]}, "nothing_arrives",
+     ["--artnet-offset 0", "no universe"]),
+    ("firewall_later", "a firewall of ours begins to drop what came", {"once": True, "send": [sacn(to="10.93.0.2")], "firewall_after_s": 5}, "lost",
+     ["nothing comes for universe 1 any more", "firewall"]),
     ("cut", "packets that are cut on the way", {"send": [sacn(cut=100)]}, "wrong_length", ["more levels", "universe 1"]),
     ("loss", "every tenth packet gets lost: a bad cable, Wi-Fi", {"send": [sacn(loses=10)]}, "packets_lost", ["got lost on the way"]),
     ("port_shared", "another program of ours has the port of Art-Net, and the desk sends sACN elsewhere",
@@ -142,5 +149,6 @@ WELL = [
     ("levels name a synchronisation that never comes: shown at once", {"send": [sacn(sync=10, sync_stops_s=0)]}),
     ("priority per address", {"send": [sacn(per_address=100)]}),
     ("a desk that sends more than is patched", {"send": [sacn(), sacn(9), sacn(30)]}),
+    ("another system's Art-Net on the next universe", {"send": [sacn(), artnet(1)]}),
     ("the right one of two interfaces", {"options": ["--interface", "net0"]}),
 ]
