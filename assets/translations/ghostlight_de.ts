@@ -5011,10 +5011,6 @@
         <translation>%1. Art-Net, das ein Pult per Broadcast an %2 sendet (eines in %3 mit der Maske 255.0.0.0), kommt mit unserer Adresse und Maske nicht an, die %4 und 255.255.255.255 nehmen: beiden Rechnern ein Netzwerk und eine Maske geben</translation>
     </message>
     <message>
-        <source>%1. A desk on this very machine has to send unicast to 127.0.0.1: multicast of QLC+ does not come back here. To tell them apart: where &apos;%2&apos; shows packets, a firewall of this machine drops them; where it shows none, they do not get here</source>
-        <translation>%1. Ein Pult auf eben diesem Rechner muss Unicast an 127.0.0.1 senden: Multicast von QLC+ kommt hier nicht zurück. Zum Unterscheiden: Wo &apos;%2&apos; Pakete zeigt, verwirft sie eine Firewall dieses Rechners; wo es keine zeigt, kommen sie nicht bis hierher</translation>
-    </message>
-    <message>
         <source>baked pictures are turned off</source>
         <translation>vorberechnete Bilder sind ausgeschaltet</translation>
     </message>
@@ -5065,6 +5061,58 @@
     <message>
         <source>&apos;%1&apos; is none of name, number, look, at, camera, flight, fade, follow, page and notes</source>
         <translation>&apos;%1&apos; ist keines von name, number, look, at, camera, flight, fade, follow, page und notes</translation>
+    </message>
+    <message>
+        <source>universe %1 comes with %2 channels, and %3 of the fixture lie past these (is it patched on the desk?), and %4</source>
+        <translation>Universum %1 kommt mit %2 Kanälen, und %3 des Geräts liegen dahinter (ist es am Pult gepatcht?), und %4</translation>
+    </message>
+    <message>
+        <source>universe %1 comes with %2 channels, and %3 of the fixture lie past these (is it patched on the desk?)</source>
+        <translation>Universum %1 kommt mit %2 Kanälen, und %3 des Geräts liegen dahinter (ist es am Pult gepatcht?)</translation>
+    </message>
+    <message>
+        <source>their universe %1 comes with fewer channels</source>
+        <translation>ihr Universum %1 kommt mit weniger Kanälen</translation>
+    </message>
+    <message>
+        <source>%1 comes from more than one source of equal priority, %2, and they differ on up to %3: %4. None of these is above 0 at two of them, so they may be meant to share</source>
+        <translation>%1 kommt von mehr als einer Quelle gleicher Priorität, %2, und sie unterscheiden sich auf bis zu %3: %4. Keiner davon ist bei zweien über 0, sie teilen ihn sich vielleicht mit Absicht</translation>
+    </message>
+    <message>
+        <source>%1 come from more than one source of equal priority, %2, and they differ on up to %3: %4. None of these is above 0 at two of them, so they may be meant to share</source>
+        <translation>%1 kommen von mehr als einer Quelle gleicher Priorität, %2, und sie unterscheiden sich auf bis zu %3: %4. Keiner davon ist bei zweien über 0, sie teilen sie sich vielleicht mit Absicht</translation>
+    </message>
+    <message>
+        <source>two senders have one identity (CID) on %1: %2 and one at %3 that sends other packets. The first is shown, the second is dropped. One is a copy of the other (a cloned disk, a copied set-up): give it a CID of its own</source>
+        <translation>zwei Sender haben auf %1 eine Identität (CID): %2 und einer auf %3, der andere Pakete sendet. Der erste wird gezeigt, der zweite verworfen. Einer ist eine Kopie des anderen (eine geklonte Platte, eine kopierte Einrichtung): ihm eine eigene CID geben</translation>
+    </message>
+    <message>
+        <source>the numbers of the packets of %1 jump back and forth on %2: two programs send there as one, and now the look of this shows, now of that. Close one, or give it an identity (CID) of its own</source>
+        <translation>die Nummern der Pakete von %1 springen auf %2 vor und zurück: zwei Programme senden dort als eines, und gezeigt wird bald der Stand des einen, bald der des anderen. Eines schließen oder ihm eine eigene Identität (CID) geben</translation>
+    </message>
+    <message>
+        <source>%1 does not count its packets up on %2: %3 of %4 a second are dropped as late or twice, for their sequence number stands still or counts down. The look follows in jumps until this sender is mended</source>
+        <translation>%1 zählt seine Pakete auf %2 nicht hoch: %3 von %4 in der Sekunde werden als verspätet oder doppelt verworfen, denn ihre laufende Nummer steht oder zählt abwärts. Das Bild folgt in Sprüngen, bis dieser Sender in Ordnung ist</translation>
+    </message>
+    <message>
+        <source>%1 comes with %2, and %3 (%4) is patched past these: not patched on the desk?</source>
+        <translation>%1 kommt mit %2, und %3 (%4) ist dahinter gepatcht: am Pult nicht gepatcht?</translation>
+    </message>
+    <message>
+        <source>%1 comes with %2, and %3 (%4) are patched past these: not patched on the desk?</source>
+        <translation>%1 kommt mit %2, und %3 (%4) sind dahinter gepatcht: am Pult nicht gepatcht?</translation>
+    </message>
+    <message>
+        <source>%1. %2 has a cable and no IPv4 address, so that no Art-Net comes in there and sACN by IPv6 alone (no DHCP server answers, perhaps): give it an address in the desk&apos;s network</source>
+        <translation>%1. %2 hat ein Kabel und keine IPv4-Adresse, sodass dort kein Art-Net ankommt und sACN nur über IPv6 (vielleicht antwortet kein DHCP-Server): ihr eine Adresse im Netz des Pults geben</translation>
+    </message>
+    <message>
+        <source>%1. %2 gave itself %3, as a machine does that no DHCP server answers: it meets a desk in 169.254.x.x alone</source>
+        <translation>%1. %2 hat sich selbst %3 gegeben, wie ein Rechner es tut, dem kein DHCP-Server antwortet: so trifft sie nur ein Pult in 169.254.x.x</translation>
+    </message>
+    <message>
+        <source>%1. A desk on this very machine has to send unicast to 127.0.0.1: multicast of QLC+ does not come back here. To tell them apart: where &apos;%2&apos; shows packets to an address of ours, to its broadcast or to 239.255, a firewall of this machine drops them; where it shows none at all, they do not get here: a cable, another VLAN, a switch that holds multicast back (IGMP snooping without a querier), or a desk that is silent</source>
+        <translation>%1. Ein Pult auf ebendiesem Rechner muss Unicast an 127.0.0.1 senden: Multicast von QLC+ kommt hier nicht zurück. So unterscheidet man sie: wo &apos;%2&apos; Pakete an eine Adresse von uns, an deren Broadcast oder an 239.255 zeigt, verwirft sie eine Firewall dieses Rechners; wo es gar keine zeigt, kommen sie nicht bis hierher: ein Kabel, ein anderes VLAN, ein Switch, der Multicast zurückhält (IGMP-Snooping ohne Querier), oder ein Pult, das schweigt</translation>
     </message>
 </context>
 <context>

@@ -278,7 +278,8 @@ void print_ltc(const LtcStatus& ltc) {
     const std::string name = one_line(ltc.name);
     if (!ltc.time)
         print_text("%s: %s\n", name.c_str(),
-                   !ltc.open                         ? ltc.problem.c_str()
+                   !ltc.open && ltc.problem.empty()  ? "it has ended, and no time code (LTC) was in it"
+                   : !ltc.open                       ? ltc.problem.c_str()
                    : ltc.loudest_dbfs < kSilent_dbfs ? "silent: is the cable in, is the input turned up?"
                                                      : "a sound, and no time code (LTC) in it yet");
     else

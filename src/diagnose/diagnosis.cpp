@@ -39,6 +39,8 @@ const char* trouble_name(Trouble trouble) {
         return "not_received";
     case Trouble::not_patched:
         return "not_patched";
+    case Trouble::short_universe:
+        return "short_universe";
     case Trouble::lost:
         return "lost";
     case Trouble::preview:
@@ -47,6 +49,10 @@ const char* trouble_name(Trouble trouble) {
         return "low_priority";
     case Trouble::two_desks:
         return "two_desks";
+    case Trouble::same_identity:
+        return "same_identity";
+    case Trouble::numbering:
+        return "numbering";
     case Trouble::too_many:
         return "too_many";
     case Trouble::too_many_universes:
@@ -83,6 +89,7 @@ std::vector<Sentence> diagnose(const dmx::Statistics& statistics, const PatchMap
     add_lost(statistics, patch, out);
     add_ignored(statistics, out);
     add_ranks(statistics, out);
+    add_numbering(statistics, out);
     add_sources(statistics, out);
     return out;
 }

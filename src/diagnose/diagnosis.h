@@ -25,10 +25,13 @@ enum class Trouble {
     off_by_one,      // universes arrive one beside those of the patch
     not_received,    // fixtures, and nothing arrives
     not_patched,     // levels arrive, and no fixture
+    short_universe,  // fewer channels arrive than are patched
     lost,            // the last source of a universe is gone
     preview,         // levels are marked for blind
     low_priority,    // another source ranks higher everywhere
     two_desks,       // of equal priority, that differ
+    same_identity,   // two senders that are one by their CID
+    numbering,       // sequence numbers that do not count up: packets are dropped as late
     too_many,        // of sources on a universe
     too_many_universes,
     waits_for_sync, // levels wait for a synchronisation packet

@@ -112,6 +112,26 @@ std::string addresses_text(const dmx::Statistics& statistics) {
                                                   : statistics.listening.interface;
 }
 
+std::string unaddressed_text(const dmx::Statistics& statistics) {
+    constexpr std::uint32_t kLinkLocal = 0xA9FE0000, kLinkLocalMask = 0xFFFF0000; // RFC 3927
+    const std::string& chosen = statistics.listening.interface;
+    std::string text;
+    for (const dmx::NetInterface& one : statistics.interfaces) {
+        if (one.loopback || !one.running ||
+            (!chosen.empty() && !is_ours(one, statistics.listening) && one.name != chosen))
+            continue;
+        if (one.address == 0)
+            text += ". " + one.name +
+                    " has a cable and no IPv4 address, so that no Art-Net comes in there and sACN by IPv6 "
+                    "alone (no DHCP server answers, perhaps): give it an address in the desk's network";
+        else if ((one.address & kLinkLocalMask) == kLinkLocal)
+            text += ". " + one.name + " gave itself " + dmx::ipv4_text(one.address) +
+                    ", as a machine does that no DHCP server answers: it meets a desk in "
+                    "169.254.x.x alone";
+    }
+    return text;
+}
+
 std::string broadcasts_text(const dmx::Statistics& statistics) {
     struct Usual {
         std::uint32_t broadcast;

@@ -46,6 +46,8 @@ std::string source_text(const std::string& name, const std::string& place, dmx::
 std::string source_text(const dmx::SourceStatus& source);
 // Of the interfaces that we listen on: "eth0 (192.168.1.5/24)".
 std::string addresses_text(const dmx::Statistics& statistics);
+// ". eth0 has a cable and no IPv4 address: ..", of those that we listen on; "" where each has one.
+std::string unaddressed_text(const dmx::Statistics& statistics);
 // Which of Art-Net's usual broadcasts (2.255.255.255, 10.255.255.255) no interface of ours takes, and what
 // would help; "" where all of them arrive.
 std::string broadcasts_text(const dmx::Statistics& statistics);
@@ -68,7 +70,10 @@ void add_patch(const dmx::Statistics& statistics, const Arriving& arriving, cons
                Sentences& out);
 void add_lost(const dmx::Statistics& statistics, const PatchMap& patch, Sentences& out);
 void add_ignored(const dmx::Statistics& statistics, Sentences& out);
-void add_ranks(const dmx::Statistics& statistics, Sentences& out); // priorities and merges
+void add_ranks(const dmx::Statistics& statistics, Sentences& out);     // priorities and merges
+void add_numbering(const dmx::Statistics& statistics, Sentences& out); // sequence numbers and CIDs
 void add_sources(const dmx::Statistics& statistics, Sentences& out);
+// Its numbers jump back and forth: two send as one, and a gap is no packet that got lost.
+bool is_two_in_one(const dmx::SourceStatus& source);
 
 } // namespace ghost::scene::diagnosed

@@ -73,11 +73,31 @@ std::string swapped_text(const std::set<int>& arriving, const std::set<int>& mis
     return "";
 }
 
+// Desks that leave out what they have nothing at send as much as they have.
+void add_short(const dmx::Statistics& statistics, const PatchMap& patch, Sentences& out) {
+    std::map<int, int> slots; // by universe
+    for (const dmx::SourceStatus& source : statistics.sources)
+        if (source.state == dmx::SourceState::live && source.slot_count > 0)
+            slots[source.universe] = std::max<int>(slots[source.universe], source.slot_count);
+    for (const auto& [universe, count] : slots) {
+        const std::vector<std::string> past = patch.readers_past(universe, count);
+        if (past.empty()) continue;
+        out.push_back(note(Trouble::short_universe,
+                           "universe " + std::to_string(universe) + " comes with " +
+                               count_text(static_cast<std::uint64_t>(count), "channel") + ", and " +
+                               count_text(past.size(), "fixture") + " ('" + one_line(past.front()) + "'" +
+                               (past.size() > 1 ? ", ...) are" : ") is") +
+                               " patched past these: not patched on the desk?",
+                           {universe}));
+    }
+}
+
 } // namespace
 
 void add_patch(const dmx::Statistics& statistics, const Arriving& arriving, const PatchMap& patch,
                Sentences& out) {
     if (patch.universes().empty()) return;
+    add_short(statistics, patch, out);
     std::set<int> explained_patch, explained_arriving;
     for (const auto protocol : {dmx::Protocol::artnet, dmx::Protocol::sacn}) {
         const auto shift = find_shift(protocol, arriving, patch);

@@ -35,19 +35,24 @@ void add_links(const dmx::Statistics& statistics, bool any_arrives, Sentences& o
 
 namespace {
 
-// Fewer that cannot be read may be anybody's, and long ago.
+// Fewer of late that cannot be read may be anybody's.
 constexpr std::uint64_t kManyRefused = 20;
 
-std::uint64_t refused_count(const dmx::Statistics& statistics) {
-    return std::accumulate(statistics.drops.begin(), statistics.drops.end(), std::uint64_t{0});
+std::uint64_t sum(const dmx::Refused& refused) {
+    return std::accumulate(refused.begin(), refused.end(), std::uint64_t{0});
+}
+
+bool is_unreadable(const dmx::Statistics& statistics) {
+    return sum(statistics.recent.refused) >= kManyRefused;
 }
 
 // "260 too short, 3 not ours"; "" where none was refused.
 std::string refused_text(const dmx::Statistics& statistics) {
     std::string text;
-    for (std::size_t i = 0; i < statistics.drops.size(); ++i)
-        if (statistics.drops[i] > 0)
-            text += (text.empty() ? "" : ", ") + std::to_string(statistics.drops[i]) + " " +
+    const dmx::Refused& refused = statistics.recent.refused;
+    for (std::size_t i = 0; i < refused.size(); ++i)
+        if (refused[i] > 0)
+            text += (text.empty() ? "" : ", ") + std::to_string(refused[i]) + " " +
                     dmx::drop_name(static_cast<dmx::Drop>(i));
     return text;
 }
@@ -55,18 +60,19 @@ std::string refused_text(const dmx::Statistics& statistics) {
 // "though 12 other packets did (3 poll, 9 discovery)"; "" where none did.
 std::string others_text(const dmx::Statistics& statistics) {
     std::string text;
-    std::uint64_t sum = 0;
+    std::uint64_t count_of_all = 0;
     for (std::size_t i = 0; i < statistics.notices.size(); ++i)
         if (const std::uint64_t count = statistics.notices[i]; count > 0) {
-            sum += count;
+            count_of_all += count;
             text += (text.empty() ? "" : ", ") + std::to_string(count) + " " +
                     dmx::notice_name(static_cast<dmx::Notice>(i));
         }
     if (const std::string refused = refused_text(statistics); !refused.empty()) {
-        sum += refused_count(statistics);
+        count_of_all += sum(statistics.recent.refused);
         text += (text.empty() ? "" : ", ") + refused;
     }
-    return sum == 0 ? "" : ", though " + count_text(sum, "other packet") + " did (" + text + ")";
+    return count_of_all == 0 ? ""
+                             : ", though " + count_text(count_of_all, "other packet") + " did (" + text + ")";
 }
 
 // "eth1 (10.0.0.3/24)" of an interface.
@@ -96,7 +102,7 @@ void add_wrong_interface(const dmx::Statistics& statistics, const Arriving& arri
 // Announced by sACN's lists, which come by multicast, too, and yet no level of it.
 void add_held_back(const dmx::Statistics& statistics, const Arriving& arriving, const PatchMap& patch,
                    Sentences& out) {
-    if (refused_count(statistics) >= kManyRefused) return; // it comes, and cannot be read
+    if (sum(statistics.recent.refused_sacn) >= kManyRefused) return; // it comes, and cannot be read
     std::map<std::string, std::set<int>> held;
     for (const auto& [universe, one] : arriving.listed)
         if (one.protocol == dmx::Protocol::sacn && patch.has(universe) && !arriving.has(universe))
@@ -119,8 +125,9 @@ std::string joined_ports(bool sacn, bool artnet) {
 void add_nothing(const dmx::Statistics& statistics, const Arriving& arriving, const PatchMap& patch,
                  Sentences& out) {
     const dmx::Listening& listening = statistics.listening;
-    if (refused_count(statistics) >= kManyRefused) {
-        const bool has_bad_universe = statistics.drops[static_cast<std::size_t>(dmx::Drop::bad_universe)] > 0;
+    if (is_unreadable(statistics)) {
+        const bool has_bad_universe =
+            statistics.recent.refused[static_cast<std::size_t>(dmx::Drop::bad_universe)] > 0;
         out.push_back(problem(
             Trouble::nothing_arrives,
             "packets arrive, and none of them can be read as levels: " + refused_text(statistics) +
@@ -143,6 +150,7 @@ void add_nothing(const dmx::Statistics& statistics, const Arriving& arriving, co
                                       : "and is no firewall on UDP " + ports + " in the way") +
                        "? We listen on " + addresses_text(statistics);
     if (listening.wider > 0) text += ", also for " + count_text(listening.wider, "universe") + " around";
+    text += unaddressed_text(statistics);
     if (const std::string broadcasts = listening.artnet ? broadcasts_text(statistics) : "";
         !broadcasts.empty())
         text += ". " + broadcasts;
@@ -176,9 +184,8 @@ void add_silence(const dmx::Statistics& statistics, const Arriving& arriving, co
     };
     const bool elsewhere = !patch.universes().empty() &&
                            std::any_of(arriving.listed.begin(), arriving.listed.end(), is_elsewhere);
-    const bool is_unread = refused_count(statistics) >= kManyRefused;
-    if (out.size() == before && (!elsewhere || is_unread) && arriving.nothing() && statistics.lost.empty() &&
-        (listening.sacn || listening.artnet))
+    if (out.size() == before && (!elsewhere || is_unreadable(statistics)) && arriving.nothing() &&
+        statistics.lost.empty() && (listening.sacn || listening.artnet))
         add_nothing(statistics, arriving, patch, out);
     for (const dmx::PortUser& user : statistics.port_users) {
         const auto sockets = std::find_if(statistics.sockets.begin(), statistics.sockets.end(),
@@ -193,7 +200,7 @@ void add_silence(const dmx::Statistics& statistics, const Arriving& arriving, co
                                   ", too: of two programs only the one started last gets a desk's unicast. "
                                   "Close the other one, or start again with --interface and an address of "
                                   "this machine"));
-        if (sacn)
+        if (sacn && user.program != "ghostlight")
             out.push_back(problem(Trouble::same_host,
                                   who +
                                       " runs on this machine: if it is the desk, its multicast does not come "

@@ -68,8 +68,10 @@ const dmx::SourceStatus* winner_of(const std::vector<dmx::SourceStatus>& sources
 }
 
 std::string ranked_text(const dmx::SourceStatus& source) {
-    return source_text(source) + " (priority " + std::to_string(source.priority) +
-           (source.per_address_priority ? ", and one for each address" : "") + ")";
+    if (!source.per_address_priority)
+        return source_text(source) + " (priority " + std::to_string(source.priority) + ")";
+    return source_text(source) + " (priority " + std::to_string(source.highest_priority) +
+           " at most, one for each address)";
 }
 
 void add_low_priority(const dmx::Statistics& statistics, Sentences& out) {
@@ -101,15 +103,17 @@ void add_two_desks(const dmx::Statistics& statistics, Sentences& out) {
     struct Fight {
         std::set<int> universes;
         std::size_t channels = 0;
+        bool contested = false; // channels that more than one sends above 0
         std::string merge;
     };
     std::map<std::string, Fight> fights; // by who
     for (const auto& [universe, sources] : by_universe) {
         std::size_t differ = 0;
-        bool all_artnet = true;
+        bool all_artnet = true, contested = false;
         std::set<std::string> who;
         for (const dmx::SourceStatus* source : sources) {
-            if (source->slots_overruled > 0) differ = std::max(differ, source->slots_overruled);
+            differ = std::max(differ, source->slots_overruled);
+            contested |= source->slots_contested > 0;
             all_artnet &= source->protocol == dmx::Protocol::artnet;
             who.insert(sends_text(*source));
         }
@@ -117,18 +121,21 @@ void add_two_desks(const dmx::Statistics& statistics, Sentences& out) {
         Fight& fight = fights[joined(who)];
         fight.universes.insert(universe);
         fight.channels = std::max(fight.channels, differ);
+        fight.contested |= contested;
         fight.merge = all_artnet && statistics.listening.artnet_ltp
                           ? "whoever changed a channel last has it (LTP, --artnet-merge)"
                           : "of each channel the higher level shows (HTP)";
     }
-    for (const auto& [who, fight] : fights)
-        out.push_back(
-            problem(Trouble::two_desks,
-                    universes_text(fight.universes) + (fight.universes.size() == 1 ? " comes" : " come") +
-                        " from more than one source of equal priority, " + who +
-                        ", and they differ on up to " + count_text(fight.channels, "channel") + ": " +
-                        fight.merge + ". Switch one off, or give one that is a backup a lower priority",
-                    fight.universes));
+    for (const auto& [who, fight] : fights) {
+        const std::string text =
+            universes_text(fight.universes) + (fight.universes.size() == 1 ? " comes" : " come") +
+            " from more than one source of equal priority, " + who + ", and they differ on up to " +
+            count_text(fight.channels, "channel") + ": " + fight.merge +
+            (fight.contested ? ". Switch one off, or give one that is a backup a lower priority"
+                             : ". None of these is above 0 at two of them, so they may be meant to share");
+        out.push_back(fight.contested ? problem(Trouble::two_desks, text, fight.universes)
+                                      : note(Trouble::two_desks, text, fight.universes));
+    }
 }
 
 } // namespace
@@ -207,7 +214,9 @@ void add_sources(const dmx::Statistics& statistics, Sentences& out) {
                     "this machine dropped " + count_text(statistics.recent.overflow, "packet") +
                         " in the last seconds: it is too busy, or the sockets' buffers are too small "
                         "(as root: sysctl -w net.core.rmem_max=4194304)"));
-    if (statistics.recent.missed > statistics.recent.overflow)
+    const bool gaps_are_losses =
+        std::none_of(statistics.sources.begin(), statistics.sources.end(), is_two_in_one);
+    if (gaps_are_losses && statistics.recent.missed > statistics.recent.overflow)
         out.push_back(problem(Trouble::packets_lost,
                               count_text(statistics.recent.missed - statistics.recent.overflow, "packet") +
                                   " got lost on the way in the last seconds: cable, switch or Wi-Fi"));

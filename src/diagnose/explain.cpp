@@ -186,10 +186,11 @@ Reason several(const BeamFacts& beam) {
 
 const char* cause_name(Cause cause) {
     static constexpr const char* kNames[] = {
-        "none",       "no_type",   "no_mode",      "not_patched", "no_input",  "never_received", "lost",
-        "overridden", "two_desks", "same_address", "overlap",     "dimmer",    "shutter",        "strobe",
-        "iris",       "blades",    "colour",       "gobo",        "animation", "picture",        "zoom",
-        "emitters",   "lamp",      "no_beam",      "several",     "hidden",    "away",           "faint"};
+        "none",    "no_type",   "no_mode",    "not_patched", "no_input",     "never_received",
+        "lost",    "not_sent",  "overridden", "two_desks",   "same_address", "overlap",
+        "dimmer",  "shutter",   "strobe",     "iris",        "blades",       "colour",
+        "gobo",    "animation", "picture",    "zoom",        "emitters",     "lamp",
+        "no_beam", "several",   "hidden",     "away",        "faint"};
     static_assert(std::size(kNames) == static_cast<std::size_t>(Cause::faint) + 1);
     return kNames[static_cast<std::size_t>(cause)];
 }
@@ -254,7 +255,8 @@ Explanation Explainer::explain(std::size_t index, int asked_beam) const {
     result.footprint = patch.mode_of().footprint;
     result.channels = channel_facts(patch, levels_);
     result.universes = universe_facts(input_, result.channels);
-    result.looked = input_.stage != nullptr && input_.first_hit != nullptr;
+    result.looked =
+        input_.stage != nullptr && !input_.stage->instances.empty() && input_.first_hit != nullptr;
     float quick_sum_lm = 0, most_cd = 0;
     for (std::size_t b = 0; b < state.beams.size(); ++b) {
         const LensFace& face = faces_[first_face_[index] + b];

@@ -26,6 +26,7 @@ enum class Cause {
     no_input,       // neither a recording nor a desk
     never_received, // no packet of the universe
     lost,           // nobody sends the universe any more; its last look is held
+    not_sent,       // the universe comes with fewer channels
     overridden,     // a source of higher priority sends something else
     two_desks,      // sources of equal priority send different things
     same_address,   // another fixture has the address
@@ -80,6 +81,7 @@ struct UniverseFacts {
     int universe = 0;
     bool received = false;
     bool lost = false;
+    int slot_count = 0;       // that it comes with
     double age_s = 0;         // of the newest packet or frame
     double first_frame_s = 0; // of a recording; below 0: it has none
     struct Sender {

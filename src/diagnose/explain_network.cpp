@@ -74,6 +74,24 @@ bool missing(const Explanation& explanation, const Reason* direct, int universe)
     return false;
 }
 
+// Channels of a fixture that lie past those that its universe comes with.
+struct Past {
+    std::size_t count = 0;
+    bool blocks = false; // one of these is to blame
+};
+
+Past channels_past(const Explanation& explanation, const Reason* direct, int universe, int slot_count) {
+    Past past;
+    for (std::size_t i = 0; i < explanation.channels.size(); ++i)
+        for (const Address& place : explanation.channels[i].places) {
+            if (place.universe != universe || place.channel <= slot_count) continue;
+            ++past.count;
+            past.blocks |= direct && std::find(direct->channels.begin(), direct->channels.end(),
+                                               static_cast<int>(i)) != direct->channels.end();
+        }
+    return past;
+}
+
 bool uses(const Explanation& explanation, const Reason* direct, int universe) {
     if (!direct) return false;
     for (const int index : direct->channels)
@@ -126,6 +144,7 @@ std::vector<UniverseFacts> universe_facts(const ExplainInput& input,
                                              : nullptr) {
             facts.received = true;
             facts.lost = found->lost;
+            facts.slot_count = found->slot_count;
             facts.age_s = input.now_s - std::chrono::duration<double>(found->arrival).count();
         }
         for (const dmx::SourceStatus& source : input.reception.sources) {
@@ -199,6 +218,17 @@ std::vector<Reason> causes_in_network(const ExplainInput& input, const fixture::
                                     " is lost: its last packet came " + number(facts.age_s, 1) +
                                     " s ago and its last look is held" + (blocks ? so(direct) : ""),
                                 name + " is lost",
+                                {}});
+        } else if (const Past past = channels_past(explanation, direct, facts.universe, facts.slot_count);
+                   facts.slot_count > 0 && past.count > 0) {
+            findings.push_back({Cause::not_sent,
+                                past.blocks,
+                                "universe " + std::to_string(facts.universe) + " comes with " +
+                                    std::to_string(facts.slot_count) + " channels, and " +
+                                    std::to_string(past.count) +
+                                    " of the fixture lie past these (is it patched on the desk?)" +
+                                    (past.blocks ? so(direct) : ""),
+                                name + " comes with fewer channels",
                                 {}});
         }
     }

@@ -98,4 +98,14 @@ std::vector<const PatchedSlot*> PatchMap::at(int universe, int address) const {
     return result;
 }
 
+std::vector<std::string> PatchMap::readers_past(int universe, int address) const {
+    std::map<std::size_t, std::string> readers;
+    const auto last = slots_.upper_bound({universe, kSlots});
+    for (auto slot = slots_.upper_bound({universe, address}); slot != last; ++slot)
+        readers.emplace(slot->second.fixture, slot->second.fixture_name);
+    std::vector<std::string> names;
+    for (const auto& [fixture, name] : readers) names.push_back(name);
+    return names;
+}
+
 } // namespace ghost::scene

@@ -37,6 +37,8 @@ public:
     bool has(int universe) const;
     // Everyone who reads the slot; several may share an address.
     std::vector<const PatchedSlot*> at(int universe, int address) const;
+    // Names of those who read slots of the universe past this address, in the show's order.
+    std::vector<std::string> readers_past(int universe, int address) const;
 
 private:
     std::multimap<std::pair<int, int>, PatchedSlot> slots_;

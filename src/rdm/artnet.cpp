@@ -50,8 +50,10 @@ ArtPacket parse_control(ByteReader reader) {
 
 ArtPacket parse_tod(ByteReader reader) {
     TodData data;
-    reader.skip(2 + 6);
-    data.bind_index = reader.u8();
+    reader.skip(1);
+    data.port.number = reader.u8();
+    reader.skip(6);
+    data.port.bind_index = reader.u8();
     const std::uint8_t net = reader.u8(), response = reader.u8(), address = reader.u8();
     data.port_address = address_of(net, address);
     data.total = reader.u16_be();
@@ -113,9 +115,9 @@ std::vector<std::uint8_t> build_tod_data(const TodData& data) {
     CHECK(data.uids.size() <= kMaxUidsPerPacket);
     std::vector<std::uint8_t> out = header(kTodData);
     out.push_back(kRdmVersion);
-    out.push_back(1);            // physical port
+    out.push_back(data.port.number);
     out.insert(out.end(), 6, 0); // spare
-    out.push_back(data.bind_index);
+    out.push_back(data.port.bind_index);
     out.push_back(static_cast<std::uint8_t>(data.port_address >> 8));
     out.push_back(kFull);
     out.push_back(static_cast<std::uint8_t>(data.port_address));

@@ -21,10 +21,14 @@ struct TodControl {
     std::uint16_t port_address = 0;
     bool flush = false;
 };
+// By which BindIndex an ArtPollReply names a Port-Address, and as which of its ports (1 to 4).
+struct Port {
+    std::uint8_t bind_index = 1, number = 1;
+};
 // A table of devices, a packet of it: `total` of them in all.
 struct TodData {
     std::uint16_t port_address = 0;
-    std::uint8_t bind_index = 1;
+    Port port;
     std::uint16_t total = 0;
     std::uint8_t block = 0;
     std::vector<Uid> uids;

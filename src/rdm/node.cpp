@@ -40,19 +40,14 @@ Node::Heard Node::heard(const Uid& uid) const {
     return found == heard_.end() ? Heard{} : found->second;
 }
 
-void Node::answer_table(std::uint16_t port_address, Packets& out) {
-    add_table(port_address, out);
-    if (const auto found = by_universe_.find(universe_of(port_address)); found != by_universe_.end())
-        for (const Uid& uid : found->second) heard_[uid].is_found = true;
-}
-
-void Node::add_table(std::uint16_t port_address, Packets& out) const {
+void Node::answer_table(std::uint16_t port_address, const Port& port, Packets& out) {
     const auto found = by_universe_.find(universe_of(port_address));
     if (found == by_universe_.end()) return;
     const std::vector<Uid> all(found->second.begin(), found->second.end());
     for (std::size_t first = 0, block = 0; first < all.size(); first += kMaxUidsPerPacket, ++block) {
         TodData data;
         data.port_address = port_address;
+        data.port = port;
         data.total = static_cast<std::uint16_t>(all.size());
         data.block = static_cast<std::uint8_t>(block);
         const std::size_t count = std::min(kMaxUidsPerPacket, all.size() - first);
@@ -60,25 +55,17 @@ void Node::add_table(std::uint16_t port_address, Packets& out) const {
                          all.begin() + static_cast<std::ptrdiff_t>(first + count));
         out.push_back(build_tod_data(data));
     }
+    for (const Uid& uid : all) heard_[uid].is_found = true;
 }
 
-Node::Packets Node::tables() const {
-    Packets out;
-    for (const auto& [universe, uids] : by_universe_) {
-        const int port_address = universe - artnet_offset_;
-        if (port_address >= 0 && port_address <= 0x7FFF)
-            add_table(static_cast<std::uint16_t>(port_address), out);
-    }
-    return out;
-}
-
-Node::Packets Node::take(Bytes packet, const Responder::Wants& wants) {
+Node::Packets Node::take(Bytes packet, const Responder::Wants& wants, const PortOf& port_of) {
     Packets out;
     const ArtPacket parsed = parse_artnet(packet);
     if (const auto* request = std::get_if<TodRequest>(&parsed)) {
-        for (const std::uint16_t address : request->port_addresses) answer_table(address, out);
+        for (const std::uint16_t address : request->port_addresses)
+            answer_table(address, port_of(address), out);
     } else if (const auto* control = std::get_if<TodControl>(&parsed)) {
-        answer_table(control->port_address, out);
+        answer_table(control->port_address, port_of(control->port_address), out);
     } else if (const auto* rdm = std::get_if<ArtRdm>(&parsed)) {
         const Message* const message = std::get_if<Message>(&rdm->message);
         if (!message) {

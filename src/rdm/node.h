@@ -7,6 +7,7 @@
 #include "rdm/artnet.h"
 #include "rdm/responder.h"
 
+#include <functional>
 #include <map>
 #include <set>
 
@@ -23,11 +24,11 @@ public:
     // queues. True: some came, went or moved to another universe.
     bool update(std::vector<Device> devices);
 
-    // What goes back to who sent it; nothing where it is not ours.
+    // What goes back to who sent it; nothing where it is not ours. port_of: of a Port-Address, as our
+    // ArtPollReply names it.
     using Packets = std::vector<std::vector<std::uint8_t>>;
-    Packets take(Bytes packet, const Responder::Wants& wants);
-    // The tables of these universes, unasked.
-    Packets tables() const;
+    using PortOf = std::function<Port(std::uint16_t port_address)>;
+    Packets take(Bytes packet, const Responder::Wants& wants, const PortOf& port_of);
 
     std::size_t devices() const { return responders_.size(); }
     const Device* find(const Uid& uid) const;
@@ -43,8 +44,7 @@ public:
     std::uint64_t faults() const { return faults_; } // messages that are none
 
 private:
-    void add_table(std::uint16_t port_address, Packets& out) const;
-    void answer_table(std::uint16_t port_address, Packets& out);
+    void answer_table(std::uint16_t port_address, const Port& port, Packets& out);
     int universe_of(std::uint16_t port_address) const { return port_address + artnet_offset_; }
 
     int artnet_offset_;

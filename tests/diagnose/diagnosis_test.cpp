@@ -115,11 +115,11 @@ TEST(diagnosis, NothingArrives) {
     silent.statistics.interfaces.pop_back();
     silent.statistics.notices[static_cast<std::size_t>(dmx::Notice::poll)] = 3;
     expect_words(silent.text(Trouble::nothing_arrives), {"no levels arrive, though 3 other packets did (3 "});
-    silent.statistics.drops[static_cast<std::size_t>(dmx::Drop::too_short)] = 260;
+    silent.statistics.recent.refused[static_cast<std::size_t>(dmx::Drop::too_short)] = 260;
     EXPECT_EQ(silent.troubles(), Troubles{Trouble::nothing_arrives});
     expect_words(silent.text(Trouble::nothing_arrives),
                  {"packets arrive, and none of them", "260 too_short", "is its output on"});
-    silent.statistics.drops[static_cast<std::size_t>(dmx::Drop::too_short)] = 1;
+    silent.statistics.recent.refused[static_cast<std::size_t>(dmx::Drop::too_short)] = 1;
     expect_words(silent.text(Trouble::nothing_arrives),
                  {"though 4 other packets did", "1 too_short", "is the desk's output on"});
     silent.statistics.time = silent.statistics.listening.since + 3s;
@@ -298,12 +298,87 @@ TEST(diagnosis, TwoDesksThatFight) {
     EXPECT_EQ(network.troubles(), Troubles{}) << "a backup that sends the same";
     other.slots_overruled = 12;
     ASSERT_EQ(network.troubles(), Troubles{Trouble::two_desks});
+    EXPECT_FALSE(network.sentences()[0].is_problem) << "each has channels of its own";
+    expect_words(network.text(Trouble::two_desks), {"may be meant to share"});
+    other.slots_contested = 1;
+    EXPECT_TRUE(network.sentences()[0].is_problem);
     expect_words(network.text(Trouble::two_desks),
                  {"universe 1 comes", "'Desk' (192.168.1.7) with 512 slots", "'Other' (192.168.1.7)",
                   "at 44 Hz", "up to 12 channels", "HTP"});
     for (dmx::SourceStatus& one : network.statistics.sources) one.protocol = dmx::Protocol::artnet;
     network.statistics.listening.artnet_ltp = true;
     expect_words(network.text(Trouble::two_desks), {"LTP"});
+}
+
+TEST(diagnosis, ALowerPriorityOfEachAddress) {
+    Network network({1});
+    network.sends({1});
+    dmx::SourceStatus backup = source(1, dmx::Protocol::sacn, 0);
+    backup.name = "Backup";
+    backup.id[0] = '2';
+    backup.priority = 150;
+    backup.per_address_priority = true;
+    backup.highest_priority = 50;
+    network.statistics.sources.push_back(backup);
+    expect_words(network.text(Trouble::low_priority),
+                 {"(priority 50 at most, one for each address) is not shown", "(priority 100) has a higher"});
+}
+
+TEST(diagnosis, FewerChannelsThanArePatched) {
+    Network network({1});
+    network.sends({1});
+    network.statistics.sources[0].slot_count = 9;
+    EXPECT_EQ(network.troubles(), Troubles{Trouble::short_universe});
+    EXPECT_FALSE(network.sentences()[0].is_problem) << "whoever is not patched there may be spare";
+    expect_words(network.text(Trouble::short_universe), {"comes with 9 channels", "1 fixture ('Spot 1') is"});
+    network.statistics.sources[0].slot_count = 12;
+    EXPECT_EQ(network.troubles(), Troubles{});
+}
+
+TEST(diagnosis, TwoSendersThatAreOneByTheirIdentity) {
+    Network network({1});
+    network.sends({1});
+    dmx::SourceStatus& desk = network.statistics.sources[0];
+    desk.rate_hz = 44;
+    desk.double_from = dmx::IpAddress(0xC0A80108);
+    EXPECT_EQ(network.troubles(), Troubles{Trouble::same_identity});
+    expect_words(network.text(Trouble::same_identity),
+                 {"'Desk' (192.168.1.7)", "one at 192.168.1.8", "universe 1", "CID"});
+    desk.double_from.reset();
+    desk.back_hz = 1;
+    EXPECT_EQ(network.troubles(), Troubles{}) << "it was started anew";
+    desk.back_hz = 20;
+    network.statistics.recent.missed = 900;
+    EXPECT_EQ(network.troubles(), Troubles{Trouble::same_identity}) << "gaps are no losses then";
+    expect_words(network.text(Trouble::same_identity), {"'Desk' (192.168.1.7)", "back and forth"});
+}
+
+TEST(diagnosis, NumbersThatDoNotCountUp) {
+    Network network({1});
+    network.sends({1});
+    dmx::SourceStatus& desk = network.statistics.sources[0];
+    desk.rate_hz = 44;
+    desk.late_hz = 44;
+    EXPECT_EQ(network.troubles(), Troubles{}) << "the network brings every packet twice";
+    desk.rate_hz = 0.4;
+    EXPECT_EQ(network.troubles(), Troubles{Trouble::numbering});
+    expect_words(network.text(Trouble::numbering),
+                 {"'Desk' (192.168.1.7)", "44 of 44 a second", "stands still"});
+}
+
+TEST(diagnosis, AnInterfaceWithoutAnAddress) {
+    Network network({1});
+    network.statistics.interfaces.push_back(interface("eth1", 0));
+    expect_words(network.text(Trouble::nothing_arrives), {"eth1 has a cable and no IPv4 address", "DHCP"});
+    network.statistics.interfaces[2].running = false;
+    EXPECT_EQ(network.text(Trouble::nothing_arrives).find("no IPv4"), std::string::npos);
+    network.statistics.interfaces[2] = interface("eth1", 0xA9FE0304);
+    expect_words(network.text(Trouble::nothing_arrives), {"eth1 gave itself 169.254.3.4"});
+    network.statistics.listening.interface = "eth0";
+    EXPECT_EQ(network.text(Trouble::nothing_arrives).find("gave itself"), std::string::npos);
+    network.statistics.listening.interface = "";
+    network.sends({1});
+    EXPECT_EQ(network.troubles(), Troubles{});
 }
 
 TEST(diagnosis, TheWrongInterface) {
@@ -330,9 +405,14 @@ TEST(diagnosis, WhatASourceAnnouncesAndDoesNotArrive) {
     desk.from = dmx::IpAddress(0xC0A80107);
     desk.universes = std::make_shared<const std::vector<std::uint16_t>>(std::vector<std::uint16_t>{1, 2});
     network.statistics.discovered = {desk};
-    network.statistics.drops[static_cast<std::size_t>(dmx::Drop::bad_priority)] = 400;
+    auto& recent = network.statistics.recent;
+    recent.refused[static_cast<std::size_t>(dmx::Drop::bad_priority)] = 400;
+    recent.refused_sacn = recent.refused;
     EXPECT_EQ(network.troubles(), Troubles{Trouble::nothing_arrives}) << "it comes, and cannot be read";
-    network.statistics.drops = {};
+    recent.refused_sacn = {};
+    EXPECT_EQ(network.troubles(), Troubles{Trouble::held_back}) << "somebody's Art-Net cannot be read";
+    recent.refused = {};
+    network.statistics.drops[static_cast<std::size_t>(dmx::Drop::bad_priority)] = 400; // long ago
     EXPECT_EQ(network.troubles(), Troubles{Trouble::held_back});
     expect_words(network.text(Trouble::held_back),
                  {"'FOH' (192.168.1.7) announces universe 1", "unicast", "IGMP snooping"});

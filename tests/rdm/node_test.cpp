@@ -10,6 +10,10 @@ namespace {
 
 using Data = std::vector<std::uint8_t>;
 
+Port port_of(std::uint16_t port_address) {
+    return {static_cast<std::uint8_t>(port_address), 2};
+}
+
 std::vector<Device> heads(std::uint32_t count, std::uint16_t universe = 1) {
     std::vector<Device> result;
     for (std::uint32_t i = 1; i <= count; ++i) {
@@ -25,7 +29,7 @@ TEST(RdmNode, the_table_of_a_port_in_as_many_packets_as_it_needs) {
     Leave leave;
     const Data request = build_tod_request({{0x0011, 0x0012}});
     EXPECT_TRUE(is_rdm(request));
-    const Node::Packets packets = node.take(request, leave.wants());
+    const Node::Packets packets = node.take(request, leave.wants(), port_of);
     ASSERT_EQ(packets.size(), 3u);
     std::set<Uid> uids;
     for (std::size_t i = 0; i < packets.size(); ++i) {
@@ -36,10 +40,12 @@ TEST(RdmNode, the_table_of_a_port_in_as_many_packets_as_it_needs) {
         EXPECT_EQ(data.port_address, 0x11);
         EXPECT_EQ(data.total, 450);
         EXPECT_EQ(data.block, i);
+        EXPECT_EQ(data.port.bind_index, 0x11) << "as the poll reply that names the port";
+        EXPECT_EQ(data.port.number, 2);
         uids.insert(data.uids.begin(), data.uids.end());
     }
     EXPECT_EQ(uids.size(), 450u);
-    EXPECT_TRUE(node.take(build_tod_request({{0x0013}}), leave.wants()).empty()) << "not ours";
+    EXPECT_TRUE(node.take(build_tod_request({{0x0013}}), leave.wants(), port_of).empty()) << "not ours";
 }
 
 // Art-Net 4: 24 bytes before the addresses; a table request of one port, byte by byte.
@@ -75,7 +81,7 @@ TEST(RdmNode, messages_reach_their_device_and_answers_come_back) {
     node.update(heads(3));
     Leave leave;
     const auto answer = [&](const Message& message, std::uint16_t port = 0) {
-        return node.take(build_art_rdm(port, message), leave.wants());
+        return node.take(build_art_rdm(port, message), leave.wants(), port_of);
     };
     const Node::Packets packets = answer(ask(Command::get, Pid::device_label, {}, {kMaker, 2}));
     ASSERT_EQ(packets.size(), 1u);
@@ -89,26 +95,27 @@ TEST(RdmNode, messages_reach_their_device_and_answers_come_back) {
     EXPECT_EQ(leave.changes.size(), 3u) << "each of them";
     Data broken = build_art_rdm(0, ask(Command::get, Pid::device_label));
     broken.back() ^= 1;
-    EXPECT_TRUE(node.take(broken, leave.wants()).empty());
+    EXPECT_TRUE(node.take(broken, leave.wants(), port_of).empty());
     EXPECT_EQ(node.faults(), 1u);
     for (std::size_t size = 0; size < broken.size(); ++size)
-        EXPECT_TRUE(node.take(Bytes(broken).first(size), leave.wants()).empty()) << size;
+        EXPECT_TRUE(node.take(Bytes(broken).first(size), leave.wants(), port_of).empty()) << size;
 }
 
 TEST(RdmNode, devices_that_come_go_and_move) {
     Node node(1);
     EXPECT_TRUE(node.update(heads(3)));
     EXPECT_FALSE(node.update(heads(3)));
-    EXPECT_EQ(node.tables().size(), 1u);
     std::vector<Device> two = heads(2);
     two[1].universe = 7;
     EXPECT_TRUE(node.update(two));
     EXPECT_EQ(node.devices(), 2u);
-    EXPECT_EQ(node.tables().size(), 2u);
     EXPECT_EQ(node.find({kMaker, 3}), nullptr);
     two[0].universe = 0;
     EXPECT_TRUE(node.update(two));
-    EXPECT_EQ(node.tables().size(), 1u) << "what is not patched is at no port";
+    Leave leave;
+    const Node::Packets first = node.take(build_tod_request({{0, 6}}), leave.wants(), port_of);
+    ASSERT_EQ(first.size(), 1u) << "what is not patched is at no port";
+    EXPECT_EQ(std::get<TodData>(parse_artnet(first[0])).port_address, 6);
 }
 
 } // namespace

@@ -2,9 +2,10 @@
 # SPDX-License-Identifier: Apache-2.0
 """The table of mistakes (lib/mistakes.py, lib/desk_mistakes.py): each is made, in network namespaces of its own, with a desk of a few
 lines, OLA or QLC+; `monitor` and `explain` must name it, in the same words, and name nothing where all is well. Of those of ALIKE the
-window (lib/alike.py) and the commands without --json must say the same. Rows whose desk is not installed are skipped by name and
-counted. Arguments: source folder, build folder; then, if wanted, --write FILE for the table and the confusion matrix
-(docs/reference/mistakes.md), or names of rows. Exit 77: skipped, with the reason."""
+window (lib/alike.py) and the commands without --json must say the same; with --write of all, but for what passes while somebody looks
+and what keeps the program from starting. Rows whose desk is not installed are skipped by name and counted. Arguments: source folder,
+build folder; then, if wanted, --write FILE for the table and the confusion matrix (docs/reference/mistakes.md), or names of rows.
+Exit 77: skipped, with the reason."""
 import concurrent.futures
 import json
 import os
@@ -29,6 +30,7 @@ LANES = 10
 ALIKE = {"cable", "output_off", "wrong_interface", "igmp", "sacn_one_off", "artnet_one_off", "sacn_elsewhere", "blind", "low_priority", "two_desks",
          "same_address", "dimmer", "shutter", "lamp_off", "parked", "overridden", "ola_artnet_one_off", "qlc_and_ola", "qlc_not_started",
          "sACN multicast", "QLC+, sACN multicast"}
+COMPARES_ALL = "--write" in sys.argv
 LIMIT_S = 120  # for a sentence to come, on a machine that does other things, too
 WELL_S = 9  # in which nothing may be said; silence is told after 5
 OTHER = """
@@ -170,9 +172,13 @@ def wanting(text, words):
     return [word for word in words if word not in text]
 
 
+def is_compared(name, setup, wanted=""):
+    return name in ALIKE or (COMPARES_ALL and not setup.get("once") and wanted != "error:")
+
+
 class Outcome:
     def __init__(self, name, what, wanted):
-        self.name, self.what, self.wanted = name, what, wanted
+        self.name, self.what, self.wanted, self.compared = name, what, wanted, False
         self.named, self.also, self.text, self.faults = "", [], "", []
 
 
@@ -237,7 +243,8 @@ def make(number, name, what, setup, wanted, words):
             stage.share_port()
             how = by_error if wanted == "error:" else by_explain if wanted.startswith("explain:") else by_monitor
             how(stage, outcome, words)
-            if name in ALIKE and not outcome.faults and outcome.named == wanted:
+            if is_compared(name, setup, wanted) and not outcome.faults and outcome.named == wanted:
+                outcome.compared = True
                 outcome.faults += alike.faults(stage, GHOSTLIGHT, outcome.text, wanted.startswith("explain:"))
         except (AssertionError, OSError, subprocess.SubprocessError, json.JSONDecodeError, KeyError) as error:
             outcome.faults.append(f"{type(error).__name__}: {error}")
@@ -269,7 +276,7 @@ def be_well(number, name, setup):
             facts = stage.explain()
             if facts["cause"] != "none":
                 said.append("explain:" + facts["cause"])
-            if name in ALIKE:
+            if is_compared(name, setup):
                 said += alike.faults(stage, GHOSTLIGHT, facts["verdict"], True)
         finally:
             stage.end()
@@ -289,7 +296,7 @@ def write(path, outcomes, well):
     for o in outcomes:
         words = o.text.split("\n")[-1].replace("|", "\\|").replace(f"{SOURCE}/", "")
         words = words if len(words) < 340 else words[:337] + "..."
-        lines.append(f"| {o.what} | `{o.named}`{'' if o.named == o.wanted else ' (wrong)'} | {'yes' if o.name in ALIKE else ''} | {words} |")
+        lines.append(f"| {o.what} | `{o.named}`{'' if o.named == o.wanted else ' (wrong)'} | {'yes' if o.compared else ''} | {words} |")
     lines += ["", "## Confusion matrix", "", "Each finding, how many mistakes it is the right one of, how many of these it named, and what else was said beside it.", "",
               "| finding | mistakes | named | missed | said of another mistake instead | said beside the right one |", "|---|---|---|---|---|---|"]
     for finding in sorted({o.wanted for o in outcomes}):

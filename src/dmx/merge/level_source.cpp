@@ -10,6 +10,8 @@ namespace ghost::dmx {
 namespace {
 
 constexpr std::chrono::nanoseconds kRateWindow = std::chrono::seconds(1);
+constexpr std::chrono::nanoseconds kDoubleForgotten =
+    std::chrono::seconds(3); // unchanged levels: one a second
 
 std::chrono::nanoseconds loss_after(Protocol protocol) {
     return protocol == Protocol::sacn ? kSacnLoss : protocol == Protocol::artnet ? kArtnetLoss : kUsbLoss;
@@ -61,15 +63,31 @@ bool LevelSource::same_way(const Packet& packet, std::chrono::nanoseconds now) {
     const bool same = packet.from == from_ && packet.interface_index == interface_index_;
     if (!same && now - last_way_ <= kWaySilence) {
         ++other_way_;
+        if (!is_copy(packet)) note_double(packet, now);
         return false;
     }
     if (!same) {
         from_ = packet.from;
         interface_index_ = packet.interface_index;
         sequence_.forget();
+        double_.reset();
     }
     last_way_ = std::max(last_way_, now);
     return true;
+}
+
+// Who sends every packet by two ways numbers both alike.
+bool LevelSource::is_copy(const Packet& packet) const {
+    if (key_.protocol != Protocol::sacn) return true; // its key is its address
+    const bool differs = sequence_.is_newest(packet.sequence) && packet.start_code == 0 && !holding() &&
+                         packet.slots != levels_;
+    return sequence_.is_near(packet.sequence) && !differs;
+}
+
+void LevelSource::note_double(const Packet& packet, std::chrono::nanoseconds now) {
+    if (!double_ || now - double_->last > kDoubleForgotten) double_ = Double{packet.from, now, now};
+    double_->from = packet.from;
+    double_->last = now;
 }
 
 // Art-Net numbers 1..255 and 0 means "not numbered"; senders that wrap through 0 exist, so a 0 is accepted
@@ -78,7 +96,13 @@ std::optional<unsigned> LevelSource::in_sequence(const Packet& packet) {
     if (packet.protocol == Protocol::usb) return 0; // a cable keeps the order
     if (packet.protocol == Protocol::artnet && packet.sequence == 0) return 0;
     const std::optional<unsigned> missed = sequence_.accept(packet.sequence);
-    missed ? missed_ += *missed : ++out_of_sequence_;
+    if (missed) {
+        missed_ += *missed;
+        window_.back += sequence_.stepped_back() ? 1 : 0;
+    } else {
+        ++out_of_sequence_;
+        ++window_.late;
+    }
     return missed;
 }
 
@@ -98,7 +122,7 @@ void LevelSource::keep(const Packet& packet, bool hold, std::uint32_t stamp, std
         if (packets_ > 0) measure_jitter(now - last_levels_);
         last_levels_ = std::max(last_levels_, now);
         ++packets_;
-        ++window_packets_;
+        ++window_.packets;
     }
     if (hold) {
         auto& place = priorities ? held_priorities_ : held_levels_;
@@ -156,8 +180,9 @@ void LevelSource::measure_jitter(std::chrono::nanoseconds interval) {
 void LevelSource::measure_rate(std::chrono::nanoseconds now) {
     const auto window = now - window_start_;
     if (window < kRateWindow) return;
-    rate_hz_ = static_cast<double>(window_packets_) / std::chrono::duration<double>(window).count();
-    window_packets_ = 0;
+    const double window_s = std::chrono::duration<double>(window).count();
+    rates_hz_ = {window_.packets / window_s, window_.late / window_s, window_.back / window_s};
+    window_ = {};
     window_start_ = now;
 }
 
@@ -199,6 +224,7 @@ SourceStatus LevelSource::status(std::uint16_t universe, bool with_slots,
     status.held = holding();
     status.priority = priority_;
     status.per_address_priority = per_address_;
+    status.highest_priority = priority();
     status.slot_count = slot_count_;
     status.packets = packets_;
     status.out_of_sequence = out_of_sequence_;
@@ -206,8 +232,13 @@ SourceStatus LevelSource::status(std::uint16_t universe, bool with_slots,
     status.other_way = other_way_;
     // Before the first whole second: over what has passed of it.
     const double window_s = std::chrono::duration<double>(now - window_start_).count();
-    const bool young = rate_hz_ == 0.0 && window_s > 0.2;
-    status.rate_hz = young ? static_cast<double>(window_packets_) / window_s : rate_hz_;
+    const bool young = rates_hz_.packets == 0.0 && window_s > 0.2;
+    status.rate_hz = young ? window_.packets / window_s : rates_hz_.packets;
+    status.late_hz = young ? window_.late / window_s : rates_hz_.late;
+    status.back_hz = young ? window_.back / window_s : rates_hz_.back;
+    // One that came to another address, or its way back, is heard in one place at a time.
+    if (double_ && last_way_ > double_->first && now - double_->last <= kDoubleForgotten)
+        status.double_from = double_->from;
     status.jitter_ms = jitter_ms_;
     status.age = now - last_levels_;
     if (with_slots) {

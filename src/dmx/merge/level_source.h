@@ -77,6 +77,8 @@ private:
     };
     void show(const Held& levels);
     void measure_jitter(std::chrono::nanoseconds interval);
+    bool is_copy(const Packet& packet) const;
+    void note_double(const Packet& packet, std::chrono::nanoseconds now);
 
     SourceKey key_;
     std::string name_;
@@ -97,9 +99,16 @@ private:
     std::unique_ptr<Held> held_levels_, held_priorities_;
     std::chrono::nanoseconds first_heard_{0}, last_levels_{0}, last_priorities_{0}, last_way_{0};
     std::uint64_t heard_ = 0, packets_ = 0, out_of_sequence_ = 0, missed_ = 0, other_way_ = 0;
-    std::uint64_t window_packets_ = 0;
+    struct Window {
+        double packets = 0, late = 0, back = 0;
+    };
+    Window window_, rates_hz_; // counted since window_start_, and of the whole second before
     std::chrono::nanoseconds window_start_{0};
-    double rate_hz_ = 0.0;
+    struct Double {
+        IpAddress from;
+        std::chrono::nanoseconds first{0}, last{0};
+    };
+    std::optional<Double> double_;
     double interval_ms_ = 0.0, jitter_ms_ = 0.0; // means of the last 16 packets or so
 };
 

@@ -388,11 +388,14 @@ std::vector<SourceStatus> Merge::sources(std::chrono::nanoseconds now) const {
         if (!shown) continue;
         // Of what is about to show, where that is newer: of a desk that is never still, too, it is told.
         const bool preview = shows_preview(number);
-        const auto overruled =
-            input.dirty ? slots_overruled(input.sources, preview,
-                                          merge_levels(input.sources, preview, options_.artnet_ltp))
-                        : slots_overruled(input.sources, preview, *shown->levels);
-        for (std::size_t i = 0; i < held.size(); ++i) result[first + i].slots_overruled = overruled[i];
+        const Levels merged =
+            input.dirty ? merge_levels(input.sources, preview, options_.artnet_ltp) : *shown->levels;
+        const auto overruled = slots_overruled(input.sources, preview, merged);
+        const auto contested = slots_contested(input.sources, preview, merged);
+        for (std::size_t i = 0; i < held.size(); ++i) {
+            result[first + i].slots_overruled = overruled[i];
+            result[first + i].slots_contested = contested[i];
+        }
     }
     return result;
 }

@@ -101,6 +101,13 @@ std::vector<std::size_t> slots_overruled(std::span<const LevelSource> sources, b
     });
 }
 
+std::vector<std::size_t> slots_contested(std::span<const LevelSource> sources, bool show_preview,
+                                         const Levels& merged) {
+    return count_held(sources, show_preview, [&](const LevelSource& source, std::size_t slot) {
+        return source.level(slot) > 0 && source.level(slot) != merged[slot];
+    });
+}
+
 std::uint16_t slots_sent(std::span<const LevelSource> sources, bool show_preview) {
     const std::vector<bool> takes_part = taking_part(sources, show_preview);
     std::size_t most = 0;

@@ -32,8 +32,11 @@ std::optional<std::size_t> lowest_priority(std::span<const LevelSource> sources,
 // part ranks higher.
 std::vector<std::size_t> slots_held(std::span<const LevelSource> sources, bool show_preview);
 
-// Of each source the number of slots that it holds and where something else shows. merged: of these sources.
+// Of each source the number of slots that it holds and where something else shows, and how many of these it
+// sends above 0. merged: of these sources.
 std::vector<std::size_t> slots_overruled(std::span<const LevelSource> sources, bool show_preview,
+                                         const Levels& merged);
+std::vector<std::size_t> slots_contested(std::span<const LevelSource> sources, bool show_preview,
                                          const Levels& merged);
 
 // The most slots that one of those that take part sends.

@@ -6,6 +6,7 @@
 
 #include <chrono>
 #include <memory>
+#include <optional>
 #include <string>
 
 namespace ghost::dmx {
@@ -62,15 +63,21 @@ struct SourceStatus {
     bool held = false;               // levels wait for a synchronisation packet
     std::uint8_t priority = 0;
     bool per_address_priority = false;
+    std::uint8_t highest_priority = 0; // of its addresses; without such priorities the same
     std::uint16_t slot_count = 0;
     std::uint64_t packets = 0;         // level packets used
     std::uint64_t out_of_sequence = 0; // dropped: late or twice
     std::uint64_t missed = 0;          // gaps in the sequence numbers
     std::uint64_t other_way = 0;       // dropped: came by another interface or from another address as well
     double rate_hz = 0.0;              // level packets per second over about the last second
+    double late_hz = 0.0;              // of them that are dropped: late or twice
+    double back_hz = 0.0;              // of them whose number steps back
     double jitter_ms = 0.0;            // how far its packets come from an even beat, in the mean
-    std::size_t slots_held = 0;        // of slot_count: where nobody on its universe ranks higher
+    // Whoever sends other packets in its name at the same time, from another address or by another interface.
+    std::optional<IpAddress> double_from;
+    std::size_t slots_held = 0;      // of slot_count: where nobody on its universe ranks higher
     std::size_t slots_overruled = 0; // of slots_held: where another of its rank has another level that shows
+    std::size_t slots_contested = 0; // of slots_overruled: where its own level is above 0
     std::chrono::nanoseconds age{0}; // since its last level packet, without time in which we did not listen
     std::shared_ptr<const SourceSlots> slots; // where MergeOptions::slot_status asks for it, else null
 };

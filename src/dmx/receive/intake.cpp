@@ -69,12 +69,16 @@ std::optional<PollPacket> Intake::take(Bytes bytes, const Arrival& arrival) {
     if (arrival.own && notice == Notice::poll_reply) return std::nullopt;
     ++(sacn ? counted_.packets_sacn : counted_.packets_artnet);
     if (notice) ++counted_.notices[static_cast<std::size_t>(*notice)];
+    const auto refuse = [&](Drop why) {
+        ++counted_.drops[static_cast<std::size_t>(why)];
+        if (sacn) ++counted_.drops_sacn[static_cast<std::size_t>(why)];
+    };
     if (const Drop* drop = std::get_if<Drop>(&parsed)) {
-        ++counted_.drops[static_cast<std::size_t>(*drop)];
+        refuse(*drop);
     } else if (Packet* packet = std::get_if<Packet>(&parsed)) {
         take_levels(*packet, arrival);
     } else if (const auto* passing = std::get_if<Passing>(&parsed)) {
-        ++counted_.drops[static_cast<std::size_t>(Drop::bad_start_code)];
+        refuse(Drop::bad_start_code);
         merge_.pass(*passing);
     } else if (const auto* sync = std::get_if<SyncPacket>(&parsed)) {
         merge_.feed(*sync, arrival.time);
@@ -128,6 +132,7 @@ void Intake::report(Statistics& statistics, std::chrono::nanoseconds now) const 
     statistics.wrong_length = counted_.wrong_length;
     statistics.notices = counted_.notices;
     statistics.drops = counted_.drops;
+    statistics.drops_sacn = counted_.drops_sacn;
     statistics.timecode = counted_.timecode;
     statistics.triggers = counted_.triggers;
     statistics.time = now;

@@ -178,7 +178,8 @@ void Receiver::Loop::answer_others(const Datagram& datagram) {
         answers_since = datagram.time;
         answers_sent = 0;
     }
-    for (const std::vector<std::uint8_t>& packet : options.answer_artnet(datagram.bytes)) {
+    const auto place_of = [this](std::uint16_t port_address) { return answers.place_of(port_address); };
+    for (const std::vector<std::uint8_t>& packet : options.answer_artnet(datagram.bytes, place_of)) {
         if (answers_sent++ >= kMaxAnswers) return;
         (void)listener->artnet_out()->send(packet, datagram.from, options.artnet_port);
     }
@@ -323,13 +324,13 @@ void Receiver::Loop::publish_statistics(nanoseconds now) {
     statistics.usb = usb.status();
     statistics.midi = midi.status();
     statistics.port_users = port_watch.users();
-    const RecentLoss total{statistics.merge.missed, statistics.overflow, statistics.merge.too_many_universes};
+    const RecentLoss total{statistics.merge.missed, statistics.overflow, statistics.merge.too_many_universes,
+                           statistics.drops, statistics.drops_sacn};
     if (now >= next_window) {
         before = std::exchange(at_last, total);
         next_window = now + kLossWindow;
     }
-    statistics.recent = {total.missed - before.missed, total.overflow - before.overflow,
-                         total.too_many_universes - before.too_many_universes};
+    statistics.recent = total - before;
     statistics.cpu = thread_cpu_time();
     owner.statistics_.put(statistics);
 }
@@ -402,6 +403,18 @@ void Receiver::Loop::run() {
         }
         send_replies(now);
     }
+}
+
+RecentLoss RecentLoss::operator-(const RecentLoss& before) const {
+    RecentLoss since = *this;
+    since.missed -= before.missed;
+    since.overflow -= before.overflow;
+    since.too_many_universes -= before.too_many_universes;
+    for (std::size_t i = 0; i < refused.size(); ++i) {
+        since.refused[i] -= before.refused[i];
+        since.refused_sacn[i] -= before.refused_sacn[i];
+    }
+    return since;
 }
 
 Receiver::Receiver() = default;

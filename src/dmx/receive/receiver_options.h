@@ -3,6 +3,7 @@
 // What the receiver listens to and what it makes of it. Values only.
 
 #include "dmx/merge/merge.h"
+#include "dmx/receive/poll_answers.h"
 #include "dmx/receive/usb_ports.h"
 
 #include <cstdint>
@@ -50,8 +51,10 @@ struct ReceiverOptions {
     std::function<void()> on_change;
     // Gets every Art-Net packet of a local network that is none of ours (packet.h), RDM for one; what it
     // returns goes back to who sent it, at most kMaxAnswers in kAnswersEvery. On the receiver's thread, and
-    // must be quick.
-    std::function<std::vector<std::vector<std::uint8_t>>(Bytes packet)> answer_artnet;
+    // must be quick. place_of: of a Port-Address in our ArtPollReplies.
+    using PlaceOf = std::function<PollAnswers::Place(std::uint16_t port_address)>;
+    std::function<std::vector<std::vector<std::uint8_t>>(Bytes packet, const PlaceOf& place_of)>
+        answer_artnet;
     // Whether ArtPollReply says now that our ports know RDM; on the receiver's thread.
     std::function<bool()> knows_rdm;
     // Gets every time code, of the MIDI port where one is named, else of Art-Net; on the receiver's thread,

@@ -66,11 +66,18 @@ struct Listening {
     std::size_t wider = 0;             // universes that are listened for besides (wider.h)
 };
 
+// Packets that cannot be read, by why.
+using Refused = std::array<std::uint64_t, static_cast<std::size_t>(Drop::kCount)>;
+
 // What got lost in the last ten to twenty seconds, in packets.
 struct RecentLoss {
     std::uint64_t missed = 0;   // by sequence number
     std::uint64_t overflow = 0; // dropped by the kernel
     std::uint64_t too_many_universes = 0;
+    Refused refused{};      // as Statistics::drops
+    Refused refused_sacn{}; // of these on the port of sACN
+
+    RecentLoss operator-(const RecentLoss& before) const;
 };
 
 struct TimeCodeStatus {
@@ -107,7 +114,8 @@ struct Statistics {
     std::uint64_t wrong_group = 0;  // levels that came by the multicast group of another universe
     std::uint64_t wrong_length = 0; // levels that came in packets that declare more of them; they are used
     std::array<std::uint64_t, static_cast<std::size_t>(Notice::kCount)> notices{};
-    std::array<std::uint64_t, static_cast<std::size_t>(Drop::kCount)> drops{};
+    Refused drops{};                      // since the start
+    Refused drops_sacn{};                 // of these on the port of sACN
     std::uint64_t poll_replies_sent = 0;  // to those who asked
     std::uint64_t announcements_sent = 0; // the same replies, unasked, at start
     std::uint64_t polls_refused = 0;      // asked too often, too many askers, or from no local network

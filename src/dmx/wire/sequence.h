@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Sequence: the running number of one sender on one universe. A packet numbered 0 to 19 behind the newest is
 // late (E1.31-2018 6.7.2); any other is newer, and what lies between was missed. Both ends of the count
-// differ (255 to 0 or to 1), so a gap of one across the wrap is no loss. Pure.
+// differ (255 to 0 or to 1), so a gap of one across the wrap is no loss. A sender that starts anew steps back
+// once; where numbers step back again and again two senders share a row. Pure.
 
 #include <algorithm>
 #include <cstdint>
+#include <cstdlib>
 #include <optional>
 
 namespace ghost::dmx {
@@ -18,6 +20,7 @@ public:
         if (newest_) {
             const auto step = static_cast<std::int8_t>(static_cast<std::uint8_t>(number - *newest_));
             if (step <= 0 && step > -20) return std::nullopt;
+            stepped_back_ = step < 0;
             const int gap = step - 1 - (number < *newest_ ? 1 : 0);
             if (gap > 0) missed = static_cast<unsigned>(gap) - std::min(static_cast<unsigned>(gap), passed_);
         }
@@ -25,6 +28,14 @@ public:
         newest_ = number;
         return missed;
     }
+    bool stepped_back() const { return stepped_back_; } // the newest that was accepted
+    // Whether a packet of this number can be the copy of one of the newest.
+    bool is_near(std::uint8_t number) const {
+        constexpr int kMostBetween = 5;
+        return !newest_ || std::abs(static_cast<std::int8_t>(static_cast<std::uint8_t>(number - *newest_))) <=
+                               kMostBetween;
+    }
+    bool is_newest(std::uint8_t number) const { return newest_ == number; }
     // A number of the same row that somebody else takes: it is not missed. No more than that, for there are
     // senders with a row for each.
     void pass(std::uint8_t number, unsigned missed = 0) {
@@ -35,11 +46,13 @@ public:
     void forget() {
         newest_.reset();
         passed_ = 0;
+        stepped_back_ = false;
     }
 
 private:
     std::optional<std::uint8_t> newest_;
     unsigned passed_ = 0; // since then
+    bool stepped_back_ = false;
 };
 
 } // namespace ghost::dmx

@@ -18,11 +18,15 @@ bool is_plain(const std::string& text) {
 } // namespace
 
 void RdmDesk::listen(dmx::ReceiverOptions& options) {
-    options.answer_artnet = [this](Bytes packet) {
+    options.answer_artnet = [this](Bytes packet, const dmx::ReceiverOptions::PlaceOf& place_of) {
         const std::lock_guard lock(mutex_);
-        return access_ == ui::RdmAccess::off
-                   ? rdm::Node::Packets{}
-                   : node_.take(packet, [this](const rdm::Change& change) { return want(change); });
+        if (access_ == ui::RdmAccess::off) return rdm::Node::Packets{};
+        return node_.take(
+            packet, [this](const rdm::Change& change) { return want(change); },
+            [&](std::uint16_t port_address) {
+                const auto [bind_index, port] = place_of(port_address);
+                return rdm::Port{bind_index, port};
+            });
     };
     options.knows_rdm = [this] {
         const std::lock_guard lock(mutex_);

@@ -61,6 +61,12 @@ constexpr const char* kSentences[] = {
                       "universe %1 is lost: its last packet came %2 s ago and its last look is held, and %3"),
     QT_TRANSLATE_NOOP("Sentence",
                       "universe %1 is lost: its last packet came %2 s ago and its last look is held"),
+    QT_TRANSLATE_NOOP(
+        "Sentence", "universe %1 comes with %2 channels, and %3 of the fixture lie past these (is it patched "
+                    "on the desk?), and %4"),
+    QT_TRANSLATE_NOOP(
+        "Sentence", "universe %1 comes with %2 channels, and %3 of the fixture lie past these (is it patched "
+                    "on the desk?)"),
     QT_TRANSLATE_NOOP("Sentence", "the dimmer on %1 of function %2, that is %3; so is %4"),
     QT_TRANSLATE_NOOP("Sentence", "the dimmer on %1 of function %2, that is %3; so are %4"),
     QT_TRANSLATE_NOOP("Sentence", "the dimmer on %1 of function %2, that is %3"),
@@ -146,6 +152,7 @@ constexpr const char* kSentences[] = {
     QT_TRANSLATE_NOOP("Sentence", "there is no DMX"),
     QT_TRANSLATE_NOOP("Sentence", "their universe %1 never arrived"),
     QT_TRANSLATE_NOOP("Sentence", "their universe %1 is lost"),
+    QT_TRANSLATE_NOOP("Sentence", "their universe %1 comes with fewer channels"),
     QT_TRANSLATE_NOOP("Sentence", "nobody holds their channels"),
     QT_TRANSLATE_NOOP("Sentence", "a source of higher priority overrides another"),
     QT_TRANSLATE_NOOP("Sentence", "two sources of equal priority send different things"),
@@ -212,6 +219,28 @@ constexpr const char* kSentences[] = {
     QT_TRANSLATE_NOOP("Sentence",
                       "%1 come from more than one source of equal priority, %2, and they differ on up to %3: "
                       "%4. Switch one off, or give one that is a backup a lower priority"),
+    QT_TRANSLATE_NOOP("Sentence",
+                      "%1 comes from more than one source of equal priority, %2, and they differ on up to "
+                      "%3: %4. None of these is above 0 at two of them, so they may be meant to share"),
+    QT_TRANSLATE_NOOP("Sentence",
+                      "%1 come from more than one source of equal priority, %2, and they differ on up to %3: "
+                      "%4. None of these is above 0 at two of them, so they may be meant to share"),
+    QT_TRANSLATE_NOOP("Sentence",
+                      "two senders have one identity (CID) on %1: %2 and one at %3 that sends other packets. "
+                      "The first is shown, the second is dropped. One is a copy of the other (a cloned disk, "
+                      "a copied set-up): give it a CID of its own"),
+    QT_TRANSLATE_NOOP(
+        "Sentence", "the numbers of the packets of %1 jump back and forth on %2: two programs send there as "
+                    "one, and now the look of this shows, now of that. Close one, or give it an identity "
+                    "(CID) of its own"),
+    QT_TRANSLATE_NOOP("Sentence",
+                      "%1 does not count its packets up on %2: %3 of %4 a second are dropped as late or "
+                      "twice, for their sequence number stands still or counts down. The look follows in "
+                      "jumps until this sender is mended"),
+    QT_TRANSLATE_NOOP("Sentence",
+                      "%1 comes with %2, and %3 (%4) is patched past these: not patched on the desk?"),
+    QT_TRANSLATE_NOOP("Sentence",
+                      "%1 comes with %2, and %3 (%4) are patched past these: not patched on the desk?"),
     QT_TRANSLATE_NOOP("Sentence", "whoever changed a channel last has it (LTP, --artnet-merge)"),
     QT_TRANSLATE_NOOP("Sentence", "of each channel the higher level shows (HTP)"),
     QT_TRANSLATE_NOOP("Sentence", "%1 channels"),
@@ -605,11 +634,19 @@ constexpr const char* kSentences[] = {
         "Sentence",
         "%1. Art-Net that a desk broadcasts to %2 (one in %3 with the mask 255.0.0.0) does not arrive at our "
         "address and mask, which take %4 and 255.255.255.255: give both machines one network and one mask"),
+    QT_TRANSLATE_NOOP(
+        "Sentence", "%1. %2 has a cable and no IPv4 address, so that no Art-Net comes in there and sACN by "
+                    "IPv6 alone (no DHCP server answers, perhaps): give it an address in the desk's network"),
     QT_TRANSLATE_NOOP("Sentence",
-                      "%1. A desk on this very machine has to send unicast to 127.0.0.1: multicast "
-                      "of QLC+ does not come back here. To tell them apart: where '%2' shows "
-                      "packets, a firewall of this machine drops them; where it shows none, they "
-                      "do not get here"),
+                      "%1. %2 gave itself %3, as a machine does that no DHCP server answers: it meets a desk "
+                      "in 169.254.x.x alone"),
+    QT_TRANSLATE_NOOP(
+        "Sentence",
+        "%1. A desk on this very machine has to send unicast to 127.0.0.1: multicast of QLC+ does not come "
+        "back here. To tell them apart: where '%2' shows packets to an address of ours, to its broadcast or "
+        "to 239.255, a firewall of this machine drops them; where it shows none at all, they do not get "
+        "here: a cable, another VLAN, a switch that holds multicast back (IGMP snooping without a querier), "
+        "or a desk that is silent"),
 };
 
 } // namespace

@@ -36,10 +36,11 @@ scene::Show lamps() {
 // The receiver's end, as a desk meets it.
 struct Wire {
     explicit Wire(RdmDesk& desk) { desk.listen(options); }
+    static dmx::PollAnswers::Place first_port(std::uint16_t) { return {}; }
 
     std::vector<rdm::Uid> find() const {
         std::vector<rdm::Uid> uids;
-        for (const Data& packet : options.answer_artnet(rdm::build_tod_request({{0}}))) {
+        for (const Data& packet : options.answer_artnet(rdm::build_tod_request({{0}}), first_port)) {
             const rdm::ArtPacket parsed = rdm::parse_artnet(packet);
             const auto& table = std::get<rdm::TodData>(parsed);
             uids.insert(uids.end(), table.uids.begin(), table.uids.end());
@@ -54,7 +55,7 @@ struct Wire {
         message.command = command;
         message.pid = static_cast<std::uint16_t>(pid);
         message.data = std::move(data);
-        const auto packets = options.answer_artnet(rdm::build_art_rdm(0, message));
+        const auto packets = options.answer_artnet(rdm::build_art_rdm(0, message), first_port);
         if (packets.empty()) return {};
         const rdm::ArtPacket parsed = rdm::parse_artnet(packets[0]);
         const auto& answer = std::get<rdm::Message>(std::get<rdm::ArtRdm>(parsed).message);

@@ -58,7 +58,11 @@ for one in spec:
     for address, value in one["levels"].items():
         slots[int(address) - 1] = value
     one["data"] = bytes(slots)
-    one["sequence"] = 0
+    one["sequence"] = one.get("first_number", 0)
+    if "twin" in one:  # the same packets from another address, too
+        twin = one["twin_out"] = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
+        twin.setsockopt(socket.IPPROTO_IP, socket.IP_MULTICAST_IF, socket.inet_aton(interface))
+        twin.bind((one["twin"], 0))
 
 
 def send(one, packet, to, port):
@@ -84,11 +88,11 @@ while True:
                     send(one, data(one, one["sequence"], b"", 0x40), group(one["universe"]), 5568)
             continue
         if one["protocol"] == "artnet":
-            send(one, artdmx(one, count, one["data"]), one.get("to", "10.93.0.255"), 6454)
+            send(one, artdmx(one, one.get("number", count), one["data"]), one.get("to", "10.93.0.255"), 6454)
             continue
         to = one.get("to", group(one["universe"]))
         one["sequence"] += 1
-        number = one["sequence"]
+        number = one.get("number", one["sequence"])
         options, start_code, slots = one.get("options", 0), 0, one["data"]
         if "per_address" in one and number % 5 == 1:
             start_code, slots = 0xDD, bytes([one["per_address"]]) * 512
@@ -101,6 +105,8 @@ while True:
             packet = packet[:126 + one["cut"]]
         if number % one.get("loses", 1 << 30) != 0:
             send(one, packet, to, 5568)
+            if "twin" in one:
+                one["twin_out"].sendto(packet, (to, 5568))
         if "sync" in one and passed < one.get("sync_stops_s", 1e9):
             send(one, sync(one, number), group(one["sync"]), 5568)
     if count == 0:

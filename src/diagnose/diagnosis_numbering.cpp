@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+// Senders that cannot be told apart, and such as do not count their packets up (E1.31-2018 6.7.2, Art-Net 4's
+// Sequence).
+#include "diagnose/diagnosis_parts.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ghost::scene::diagnosed {
+namespace {
+
+constexpr double kOften_hz = 3.0;   // a sender that starts anew steps back once
+constexpr double kSharePart = 0.1;  // of the packets that step back, where two senders take turns
+constexpr double kMostlyLate = 4.0; // late ones for each in time; a network that brings all twice has one
+constexpr double kManyLate_hz = 5.0;
+
+bool is_mostly_late(const dmx::SourceStatus& source) {
+    return source.late_hz >= kManyLate_hz && source.late_hz > kMostlyLate * source.rate_hz;
+}
+
+std::string rate_text(double rate_hz) {
+    return std::to_string(std::lround(rate_hz));
+}
+
+} // namespace
+
+bool is_two_in_one(const dmx::SourceStatus& source) {
+    return source.back_hz >= kOften_hz && source.back_hz >= kSharePart * source.rate_hz;
+}
+
+void add_numbering(const dmx::Statistics& statistics, Sentences& out) {
+    std::map<std::pair<std::string, std::string>, std::set<int>> doubles; // who, and where else
+    std::map<std::string, std::set<int>> shared, late;
+    std::map<std::string, std::pair<double, double>> rates_hz; // of the late ones: late, all
+    for (const dmx::SourceStatus& source : statistics.sources) {
+        const std::string who = source_text(source);
+        if (source.double_from)
+            doubles[{who, dmx::address_text(*source.double_from)}].insert(source.universe);
+        else if (is_two_in_one(source))
+            shared[who].insert(source.universe);
+        else if (is_mostly_late(source)) {
+            late[who].insert(source.universe);
+            auto& [of_late, of_all] = rates_hz[who];
+            of_late = std::max(of_late, source.late_hz);
+            of_all = std::max(of_all, source.late_hz + source.rate_hz);
+        }
+    }
+    for (const auto& [who, universes] : doubles)
+        out.push_back(problem(Trouble::same_identity,
+                              "two senders have one identity (CID) on " + universes_text(universes) + ": " +
+                                  who.first + " and one at " + who.second +
+                                  " that sends other packets. The first is shown, the second is dropped. One "
+                                  "is a copy of the other (a cloned disk, a copied set-up): give it a CID of "
+                                  "its own",
+                              universes));
+    for (const auto& [who, universes] : shared)
+        out.push_back(problem(Trouble::same_identity,
+                              "the numbers of the packets of " + who + " jump back and forth on " +
+                                  universes_text(universes) +
+                                  ": two programs send there as one, and now the look of this shows, now of "
+                                  "that. Close one, or give it an identity (CID) of its own",
+                              universes));
+    for (const auto& [who, universes] : late)
+        out.push_back(
+            problem(Trouble::numbering,
+                    who + " does not count its packets up on " + universes_text(universes) + ": " +
+                        rate_text(rates_hz[who].first) + " of " + rate_text(rates_hz[who].second) +
+                        " a second are dropped as late or twice, for their sequence number stands "
+                        "still or counts down. The look follows in jumps until this sender is mended",
+                    universes));
+}
+
+} // namespace ghost::scene::diagnosed
