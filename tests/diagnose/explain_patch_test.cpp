@@ -115,6 +115,23 @@ TEST(explain, UniverseLostAndHeld) {
             "the dimmer on channel 1 (1.1) is at 0"});
 }
 
+TEST(explain, UniverseWithFewerChannels) {
+    Trial trial(type_of(kDimmer + simple("2,3", "Pan", -270, 270)));
+    trial.show.fixtures[0].address = 5;
+    Desks desks;
+    desks.merge.feed(desks.packet(1, 100, {255, 255, 255, 255}), 1s);
+    desks.into(trial, 1s);
+    expect(trial.explain(), Visibility::dark, Cause::not_sent,
+           {"universe 1 comes with 4 channels, and 3 of the fixture lie past these",
+            "the dimmer on channel 1 (1.5) is at 0"});
+    desks.merge.feed(desks.packet(1, 100, {0, 0, 0, 0, 255, 128}), 1s);
+    desks.into(trial, 1s);
+    const Explanation lit = trial.explain();
+    EXPECT_NE(lit.visibility, Visibility::dark) << "what is left out makes nothing dark";
+    EXPECT_TRUE(std::any_of(lit.findings.begin(), lit.findings.end(),
+                            [](const Reason& one) { return one.cause == Cause::not_sent && !one.blocks; }));
+}
+
 // Flags of colour at HTP: each desk alone would light it, both together do not.
 TEST(explain, TwoDesksOfEqualPriority) {
     Trial trial(type_of(kDimmer + simple("2", "ColorSub_C", 0, 1) + simple("3", "ColorSub_M", 0, 1) +

@@ -11,7 +11,7 @@ LIMIT_S = 150  # for a sentence to come, and for a window to open on a busy mach
 
 def same(text):
     """Rates and counts go on meanwhile; lines are broken where they are."""
-    return " ".join(re.sub(r"\d+(\.\d+)?", "#", text).split())
+    return " ".join(re.sub(r"# packets?", "# packets", re.sub(r"\d+(\.\d+)?", "#", text)).split())
 
 
 def until(holds):

@@ -23,6 +23,7 @@ STANDARD = {
     "qlc": None,  # QLC+ (real_desks.qlc)
     "at_s": 0.1,  # of it
     "once": False,  # it happens while somebody looks: who comes later sees something else
+    "in_window": True,  # the window says the same
 }
 
 
@@ -149,7 +150,8 @@ MISTAKES = [
         "send": [sacn(levels={**OPEN, 6: 255}), sacn(levels={**OPEN, 7: 255, 8: 255}, name="Second", cid=2)]}, "explain:two_desks",
      ["'Test desk'", "'Second'", "have the same say"]),
     ("per_address_0", "the desk gives its channels away by priority per address", {"send": [sacn(per_address=0)]}, "explain:overridden", ["priority per address"]),
-    ("no_recording", "there is neither a desk nor a recording", {"show": []}, "explain:no_input", ["there is no DMX"]),
+    # The window listens to the network where a show has no recording.
+    ("no_recording", "there is neither a desk nor a recording", {"show": [], "in_window": False}, "explain:no_input", ["there is no DMX"]),
     ("not_in_recording", "the recording does not have the universe", {"show": [(2, OPEN)]}, "explain:never_received", ["universe 1 is not in the recording"]),
     ("begins_later", "the recording has the universe later", {"show": [(2, OPEN)] * 4 + [(1, OPEN)]}, "explain:never_received", ["begins in the recording at 2 s"]),
 ]
