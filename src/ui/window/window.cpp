@@ -24,7 +24,6 @@
 #include "ui/panels/message_panel.h"
 #include "ui/panels/network_panel.h"
 #include "ui/panels/plot_panel.h"
-#include "ui/window/print_dialog.h"
 #include "ui/panels/programmer_panel.h"
 #include "ui/panels/scene_panel.h"
 #include "ui/panels/transport_panel.h"
@@ -32,8 +31,10 @@
 #include "ui/picture/camera_strip.h"
 #include "ui/picture/view_bar.h"
 #include "ui/widgets/focus_guide.h"
+#include "ui/widgets/panel_area.h"
 #include "ui/widgets/wheel_guard.h"
 #include "ui/window/plot_actions.h"
+#include "ui/window/print_dialog.h"
 #include "ui/window/private/meter_actions.h"
 #include "ui/window/private/notice_bar.h"
 #include "ui/window/private/welcome.h"
@@ -45,7 +46,6 @@
 #include <QMenuBar>
 #include <QMimeData>
 #include <QScreen>
-#include <QScrollArea>
 #include <QSettings>
 #include <QStatusBar>
 
@@ -213,6 +213,7 @@ Window::Window(Link& link, const WindowOptions& options)
     } else {
         if (options_.width > 0) resize(options_.width, options_.height);
         const QSize asked = size();
+        has_first_layout_ = true;
         lay_out();
         layout()->activate();
         resize(asked); // while panels changed places they needed more
@@ -237,13 +238,7 @@ QDockWidget* Window::add_panel(const QString& name, const QString& title, QWidge
                                Qt::DockWidgetArea area) {
     auto* dock = new QDockWidget(title, this);
     dock->setObjectName(name); // the layout is remembered by it
-    // One that is tall or wide must not make the window so.
-    auto* scrolls = new QScrollArea(dock);
-    scrolls->setFrameShape(QFrame::NoFrame);
-    scrolls->setWidgetResizable(true);
-    scrolls->setFocusPolicy(Qt::NoFocus);
-    scrolls->setWidget(panel);
-    dock->setWidget(scrolls);
+    dock->setWidget(new PanelArea(panel, dock));
     addDockWidget(area, dock);
     docks_.push_back(dock);
     const QString key = docks_.size() <= 9 ? QString("Ctrl+%1").arg(docks_.size()) : QString();
@@ -286,8 +281,8 @@ void Window::add_panels() {
     tabifyDockWidget(values, hand);
     tabifyDockWidget(hand, scene);
     hand->raise();
-    QDockWidget* network = add_panel("network", translated("Panel", "Network"), new NetworkPanel(app_, actions_, this),
-                                     Qt::BottomDockWidgetArea);
+    QDockWidget* network = add_panel("network", translated("Panel", "Network"),
+                                     new NetworkPanel(app_, actions_, this), Qt::BottomDockWidgetArea);
     QDockWidget* messages = add_panel("messages", translated("Panel", "Messages"),
                                       new MessagePanel(app_, this), Qt::BottomDockWidgetArea);
     tabifyDockWidget(network, messages);
@@ -379,10 +374,17 @@ void Window::lay_out() {
             if (dock(name)) tabifyDockWidget(dock("values"), dock(name));
         dock("programmer")->raise();
         resizeDocks({list}, {column_px}, Qt::Horizontal);
-        resizeDocks({list, dock("programmer")}, {height() * 4 / 10, height() * 5 / 10}, Qt::Vertical);
+        share_column();
     } else {
         resizeDocks({list, dock("programmer")}, {240, 260}, Qt::Horizontal);
     }
+}
+
+// The list of fixtures and what lies below it.
+void Window::share_column() {
+    auto* const below = findChild<QDockWidget*>("programmer");
+    if (width() < kTwoColumnsFrom_px)
+        resizeDocks({docks_.front(), below}, {height() * 4 / 10, height() * 5 / 10}, Qt::Vertical);
 }
 
 // Panels round a picture that is not there help nobody.
@@ -399,6 +401,8 @@ void Window::end_waiting() {
     for (QDockWidget* const one : docks_waiting_) one->show();
     for (QDockWidget* const one : docks_waiting_)
         if (one->objectName() == "programmer") one->raise();
+    // Columns that were hidden come back with other shares.
+    if (!docks_waiting_.empty() && has_first_layout_) share_column();
     docks_waiting_.clear();
     if (!isFullScreen()) transport_->show();
 }
