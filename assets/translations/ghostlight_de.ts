@@ -2486,6 +2486,10 @@
         <source>now</source>
         <translation>jetzt</translation>
     </message>
+    <message>
+        <source>The first picture is being drawn</source>
+        <translation>Das erste Bild wird gezeichnet</translation>
+    </message>
 </context>
 <context>
     <name>Plot</name>

@@ -74,6 +74,8 @@ Window::Window(Link& link, const WindowOptions& options)
     qApp->installEventFilter(new WheelGuard(this));
     setDockNestingEnabled(true);
     setCentralWidget(view_);
+    for (QLabel* const one : {status_input_, status_supply_, status_jobs_, status_device_})
+        one->setMinimumWidth(1); // long words do not make the window wider than a small display
     statusBar()->addWidget(status_input_, 1);
     statusBar()->addPermanentWidget(status_jobs_);
     statusBar()->addPermanentWidget(status_supply_);
@@ -426,7 +428,7 @@ void Window::say_done(const Action& action) {
     if (action.name == "save")
         toast_->say(translated("Notice", "Saved: %1")
                         .arg(QString::fromStdString(app_.show()->file.filename().string())));
-    else if (kSays.contains(action.name))
+    else if (kSays.contains(action.name) && !app_.undo_stack().undoText().isEmpty())
         toast_->say(app_.undo_stack().undoText(), [this] { actions_.choose("undo"); });
 }
 
