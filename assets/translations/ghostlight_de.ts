@@ -6051,5 +6051,25 @@ Bitte den Namen des Ordners prüfen.</translation>
         <source>Apache License 2.0. VARI*LITE and VL2500 are marks of their owners, who have no part in this.</source>
         <translation>Apache-Lizenz 2.0. VARI*LITE und VL2500 sind Marken ihrer Eigentümer, die hieran nicht beteiligt sind.</translation>
     </message>
+    <message>
+        <source>&apos;%1&apos; has changes that are not saved.</source>
+        <translation>&apos;%1&apos; hat Änderungen, die nicht gesichert sind.</translation>
+    </message>
+    <message>
+        <source>Closed without saving they are kept, and offered when the show is opened again.</source>
+        <translation>Ohne Sichern geschlossen, bleiben sie erhalten und werden beim nächsten Öffnen der Show angeboten.</translation>
+    </message>
+    <message>
+        <source>Save and close</source>
+        <translation>Sichern und schließen</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
 </context>
 </TS>

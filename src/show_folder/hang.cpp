@@ -82,7 +82,9 @@ float bow_of(std::span<const glm::vec2> plan, const glm::vec2& way, const Extent
     if (begin.length() < 0 || middle.length() < 0 || end.length() < 0) return 0; // nothing is there
     const float from_begin_m = middle.middle() - begin.middle(), from_end_m = middle.middle() - end.middle();
     const bool bends = std::min(std::abs(from_begin_m), std::abs(from_end_m)) >= kLeastBow_m;
-    return bends && from_begin_m * from_end_m > 0 ? 0.5f * (from_begin_m + from_end_m) : 0;
+    // Of the parabola of place_m() that much lies between the middles of where it was measured.
+    constexpr float kSeen = 1 - 4 * (kEnd / 2) * (1 - kEnd / 2);
+    return bends && from_begin_m * from_end_m > 0 ? 0.5f * (from_begin_m + from_end_m) / kSeen : 0;
 }
 
 } // namespace

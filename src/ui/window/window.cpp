@@ -44,7 +44,9 @@
 #include <QFileInfo>
 #include <QLayout>
 #include <QMenuBar>
+#include <QMessageBox>
 #include <QMimeData>
+#include <QPushButton>
 #include <QScreen>
 #include <QSettings>
 #include <QStatusBar>
@@ -502,7 +504,39 @@ void Window::say(const QString& words, int for_ms) {
     statusBar()->setToolTip(what);
 }
 
+// Whether it asks, because something is not saved. What is kept nobody sees, so it is said.
+bool Window::asks_to_close() {
+    if (!document_.is_changed()) return false;
+    auto* const box = new QMessageBox(QMessageBox::NoIcon, "Ghostlight",
+                                      translated("Window", "'%1' has changes that are not saved.")
+                                          .arg(QString::fromStdString(app_.show()->file.filename().string())),
+                                      QMessageBox::NoButton, this);
+    box->setTextFormat(Qt::PlainText);
+    box->setInformativeText(translated(
+        "Window", "Closed without saving they are kept, and offered when the show is opened again."));
+    const auto closes = [this] { QMetaObject::invokeMethod(this, &QWidget::close, Qt::QueuedConnection); };
+    QPushButton* const save = box->addButton(translated("Window", "Save and close"), QMessageBox::AcceptRole);
+    connect(save, &QPushButton::clicked, this, [this, closes] {
+        if (const Result<void> saved = document_.save(false); saved.ok())
+            closes();
+        else
+            actions_.complain(saved.error());
+    });
+    connect(box->addButton(translated("Window", "Close"), QMessageBox::DestructiveRole),
+            &QPushButton::clicked, this, closes);
+    box->setEscapeButton(box->addButton(translated("Window", "Cancel"), QMessageBox::RejectRole));
+    box->setDefaultButton(save);
+    box->setAttribute(Qt::WA_DeleteOnClose);
+    box->open();
+    return true;
+}
+
 void Window::closeEvent(QCloseEvent* event) {
+    // By the window manager; close() of a script, or of an answer, is not spontaneous.
+    if (event->spontaneous() && asks_to_close()) {
+        event->ignore();
+        return;
+    }
     if (const Result<void> kept = document_.keep(); !kept.ok() && !closes_anyway_) {
         Q_EMIT document_.keep_failed(
             translated("Notice", "Not closed, for changes are not saved and cannot be kept: %1")

@@ -61,6 +61,7 @@ private:
     void add_window_actions();
     void add_view_switches();
     void add_languages();
+    bool asks_to_close();
     void lay_out();
     void share_column();
     void keep_low(QDockWidget& dock);
