@@ -99,15 +99,15 @@ QString words_by_hand(const scene::ChannelFacts& channel, const fixture::Program
 // lines wrap, and what wraps is indented instead.
 QString as_paragraphs(const QString& words) {
     static const QRegularExpression kColumns(" {2,}");
+    const QString gap = QString(" ") + QChar(QChar::Nbsp);
     QString html;
     for (const QString& line :
          words.split('\n', Qt::SkipEmptyParts).mid(1)) { // the first is the verdict above
         const QStringList parts = line.split(kColumns, Qt::SkipEmptyParts);
         const bool has_title = !line.startsWith(' ') && parts.size() > 1;
-        QString text = has_title ? "<b>" + parts[0].toHtmlEscaped() + "</b> &nbsp;" : QString();
-        text += parts.mid(has_title ? 1 : 0).join("  ").toHtmlEscaped().replace("  ", " &nbsp;");
-        html += QString("<p style='margin:%1px 0 0 %2px; text-indent:-10px'>%3</p>")
-                    .arg(has_title ? 4 : 0)
+        QString text = has_title ? "<b>" + parts[0].toHtmlEscaped() + "</b>" + gap : QString();
+        text += parts.mid(has_title ? 1 : 0).join("  ").toHtmlEscaped().replace("  ", gap);
+        html += QString("<p style='margin:0 0 0 %1px; text-indent:-10px'>%2</p>")
                     .arg(has_title ? 10 : 20)
                     .arg(text);
     }
