@@ -393,11 +393,11 @@
     </message>
     <message>
         <source>Drive its mover on: 0.1 m up, 5 degrees</source>
-        <translation>Bewegtes Teil weiterfahren: 0,1 m hoch, 5 Grad</translation>
+        <translation>Bewegtes Teil weiterfahren: 0.1 m hoch, 5 Grad</translation>
     </message>
     <message>
         <source>Drive its mover back: 0.1 m down, 5 degrees</source>
-        <translation>Bewegtes Teil zurückfahren: 0,1 m runter, 5 Grad</translation>
+        <translation>Bewegtes Teil zurückfahren: 0.1 m runter, 5 Grad</translation>
     </message>
     <message>
         <source>Heads and movers go as machines do</source>
@@ -1639,7 +1639,7 @@
     </message>
     <message>
         <source> s fade</source>
-        <translation> s Blende</translation>
+        <translation> s Überblenden</translation>
     </message>
     <message>
         <source>Seconds of the crossfade</source>
@@ -2301,7 +2301,7 @@
     </message>
     <message>
         <source>Blades</source>
-        <translation>Blenden</translation>
+        <translation>Blendenschieber</translation>
     </message>
     <message>
         <source>Laser</source>
@@ -2321,7 +2321,7 @@
     </message>
     <message>
         <source>Gobo \1 turn</source>
-        <translation>Gobo \1 Rot.</translation>
+        <translation>Gobo \1 Drehung</translation>
     </message>
     <message>
         <source>Prism \1</source>
@@ -2329,7 +2329,7 @@
     </message>
     <message>
         <source>Prism \1 turn</source>
-        <translation>Prisma \1 Rot.</translation>
+        <translation>Prisma \1 Drehung</translation>
     </message>
     <message>
         <source>Colour wheel \1</source>
@@ -2377,7 +2377,7 @@
     </message>
     <message>
         <source>Lime</source>
-        <translation>Limette</translation>
+        <translation>Lime</translation>
     </message>
     <message>
         <source>UV</source>
@@ -2485,6 +2485,10 @@
     <message>
         <source>now</source>
         <translation>jetzt</translation>
+    </message>
+    <message>
+        <source>The first picture is being drawn</source>
+        <translation>Das erste Bild wird gezeichnet</translation>
     </message>
 </context>
 <context>
@@ -2831,6 +2835,254 @@
     </message>
 </context>
 <context>
+    <name>QAbstractFileIconProvider</name>
+    <message>
+        <source>Folder</source>
+        <translation>Ordner</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Datei</translation>
+    </message>
+    <message>
+        <source>%1 File</source>
+        <translation>%1-Datei</translation>
+    </message>
+</context>
+<context>
+    <name>QAbstractSpinBox</name>
+    <message>
+        <source>&amp;Select All</source>
+        <translation>&amp;Alles auswählen</translation>
+    </message>
+    <message>
+        <source>&amp;Step up</source>
+        <translation>&amp;Höher</translation>
+    </message>
+    <message>
+        <source>Step &amp;down</source>
+        <translation>&amp;Niedriger</translation>
+    </message>
+</context>
+<context>
+    <name>QDockWidget</name>
+    <message>
+        <source>Float</source>
+        <translation>Abreißen</translation>
+    </message>
+    <message>
+        <source>Undocks and re-attaches the dock widget</source>
+        <translation>Reißt das Fenster ab oder setzt es wieder ein</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Closes the dock widget</source>
+        <translation>Schließt das Fenster</translation>
+    </message>
+</context>
+<context>
+    <name>QFileDialog</name>
+    <message>
+        <source>Look in:</source>
+        <translation>Suchen in:</translation>
+    </message>
+    <message>
+        <source>&amp;File name:</source>
+        <translation>&amp;Dateiname:</translation>
+    </message>
+    <message>
+        <source>File &amp;name:</source>
+        <translation>Datei&amp;name:</translation>
+    </message>
+    <message>
+        <source>File Folder</source>
+        <translation>Ordner</translation>
+    </message>
+    <message>
+        <source>Directory:</source>
+        <translation>Ordner:</translation>
+    </message>
+    <message>
+        <source>Files of type:</source>
+        <translation>Dateityp:</translation>
+    </message>
+    <message>
+        <source>&amp;Open</source>
+        <translation>&amp;Öffnen</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>&amp;Speichern</translation>
+    </message>
+    <message>
+        <source>&amp;Choose</source>
+        <translation>&amp;Wählen</translation>
+    </message>
+    <message>
+        <source>&amp;Rename</source>
+        <translation>&amp;Umbenennen</translation>
+    </message>
+    <message>
+        <source>&amp;Delete</source>
+        <translation>&amp;Löschen</translation>
+    </message>
+    <message>
+        <source>&amp;New Folder</source>
+        <translation>&amp;Neuer Ordner</translation>
+    </message>
+    <message>
+        <source>New Folder</source>
+        <translation>Neuer Ordner</translation>
+    </message>
+    <message>
+        <source>Show &amp;hidden files</source>
+        <translation>&amp;Verborgene Dateien zeigen</translation>
+    </message>
+    <message>
+        <source>My Computer</source>
+        <translation>Mein Computer</translation>
+    </message>
+    <message>
+        <source>Recent Places</source>
+        <translation>Zuletzt besucht</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Zurück</translation>
+    </message>
+    <message>
+        <source>Go back</source>
+        <translation>Zurück</translation>
+    </message>
+    <message>
+        <source>Alt+Left</source>
+        <translation>Alt+Left</translation>
+    </message>
+    <message>
+        <source>Forward</source>
+        <translation>Vor</translation>
+    </message>
+    <message>
+        <source>Go forward</source>
+        <translation>Vor</translation>
+    </message>
+    <message>
+        <source>Parent Directory</source>
+        <translation>Übergeordneter Ordner</translation>
+    </message>
+    <message>
+        <source>Go to the parent directory</source>
+        <translation>Zum übergeordneten Ordner</translation>
+    </message>
+    <message>
+        <source>Create New Folder</source>
+        <translation>Neuer Ordner</translation>
+    </message>
+    <message>
+        <source>Create a New Folder</source>
+        <translation>Neuen Ordner anlegen</translation>
+    </message>
+    <message>
+        <source>List View</source>
+        <translation>Liste</translation>
+    </message>
+    <message>
+        <source>Change to list view mode</source>
+        <translation>Als Liste zeigen</translation>
+    </message>
+    <message>
+        <source>Detail View</source>
+        <translation>Details</translation>
+    </message>
+    <message>
+        <source>Change to detail view mode</source>
+        <translation>Mit Details zeigen</translation>
+    </message>
+    <message>
+        <source>%1 already exists.
+Do you want to replace it?</source>
+        <translation>%1 gibt es schon.
+Ersetzen?</translation>
+    </message>
+    <message>
+        <source>%1
+File not found.
+Please verify the correct file name was given.</source>
+        <translation>%1
+Datei nicht gefunden.
+Bitte den Dateinamen prüfen.</translation>
+    </message>
+    <message>
+        <source>%1
+Directory not found.
+Please verify the correct directory name was given.</source>
+        <translation>%1
+Ordner nicht gefunden.
+Bitte den Namen des Ordners prüfen.</translation>
+    </message>
+</context>
+<context>
+    <name>QFileSystemModel</name>
+    <message>
+        <source>Computer</source>
+        <translation>Computer</translation>
+    </message>
+    <message>
+        <source>My Computer</source>
+        <translation>Mein Computer</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>Type</source>
+        <translation>Typ</translation>
+    </message>
+    <message>
+        <source>Date Modified</source>
+        <translation>Geändert</translation>
+    </message>
+</context>
+<context>
+    <name>QLineEdit</name>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Rückgängig</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>&amp;Wiederholen</translation>
+    </message>
+    <message>
+        <source>Cu&amp;t</source>
+        <translation>&amp;Ausschneiden</translation>
+    </message>
+    <message>
+        <source>&amp;Copy</source>
+        <translation>&amp;Kopieren</translation>
+    </message>
+    <message>
+        <source>&amp;Paste</source>
+        <translation>&amp;Einfügen</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Löschen</translation>
+    </message>
+    <message>
+        <source>Select All</source>
+        <translation>Alles auswählen</translation>
+    </message>
+</context>
+<context>
     <name>QPlatformTheme</name>
     <message>
         <source>OK</source>
@@ -2851,6 +3103,14 @@
     <message>
         <source>Save</source>
         <translation>Speichern</translation>
+    </message>
+    <message>
+        <source>&amp;Yes</source>
+        <translation>&amp;Ja</translation>
+    </message>
+    <message>
+        <source>&amp;No</source>
+        <translation>&amp;Nein</translation>
     </message>
 </context>
 <context>
@@ -2906,6 +3166,37 @@
     <message>
         <source>Down</source>
         <translation>Runter</translation>
+    </message>
+</context>
+<context>
+    <name>QWidgetTextControl</name>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Rückgängig</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>&amp;Wiederholen</translation>
+    </message>
+    <message>
+        <source>Cu&amp;t</source>
+        <translation>&amp;Ausschneiden</translation>
+    </message>
+    <message>
+        <source>&amp;Copy</source>
+        <translation>&amp;Kopieren</translation>
+    </message>
+    <message>
+        <source>&amp;Paste</source>
+        <translation>&amp;Einfügen</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Löschen</translation>
+    </message>
+    <message>
+        <source>Select All</source>
+        <translation>Alles auswählen</translation>
     </message>
 </context>
 <context>
@@ -3053,7 +3344,7 @@
     </message>
     <message>
         <source>Shininess</source>
-        <translation>Glanzschärfe</translation>
+        <translation>Schärfe</translation>
     </message>
     <message>
         <source>Search objects and materials</source>
@@ -5111,8 +5402,172 @@
         <translation>%1. %2 hat sich selbst %3 gegeben, wie ein Rechner es tut, dem kein DHCP-Server antwortet: so trifft sie nur ein Pult in 169.254.x.x</translation>
     </message>
     <message>
+        <source>a second attribute named &apos;%1&apos;, links mean the first</source>
+        <translation>ein zweites Attribut namens &apos;%1&apos;; Verweise meinen das erste</translation>
+    </message>
+    <message>
+        <source>the picture %1 is not in the archive</source>
+        <translation>das Bild %1 ist nicht im Archiv</translation>
+    </message>
+    <message>
+        <source>the texture &apos;%1&apos; is not in the archive</source>
+        <translation>die Textur &apos;%1&apos; ist nicht im Archiv</translation>
+    </message>
+    <message>
+        <source>mesh &apos;%1&apos; is not in the archive</source>
+        <translation>das Modell &apos;%1&apos; ist nicht im Archiv</translation>
+    </message>
+    <message>
+        <source>gobo &apos;%1&apos; is not in the archive</source>
+        <translation>das Gobo &apos;%1&apos; ist nicht im Archiv</translation>
+    </message>
+    <message>
+        <source>no Beam or Laser geometry in mode &apos;%1&apos;: it gives no light</source>
+        <translation>keine Beam- oder Laser-Geometrie im Modus &apos;%1&apos;: Er gibt kein Licht</translation>
+    </message>
+    <message>
+        <source>objects with edges of more than two triangles, of which none is inside or outside; they are drawn as they are: %1</source>
+        <translation>Objekte mit Kanten an mehr als zwei Dreiecken, die weder innen noch außen haben; sie werden gezeichnet, wie sie sind: %1</translation>
+    </message>
+    <message>
+        <source>objects with triangles that have no area; those are not seen: %1</source>
+        <translation>Objekte mit Dreiecken ohne Fläche; diese sind nicht zu sehen: %1</translation>
+    </message>
+    <message>
+        <source>objects are mirrored (negative scale), and so are the pictures on them: %1</source>
+        <translation>Objekte sind gespiegelt (negativer Maßstab) und mit ihnen die Bilder darauf: %1</translation>
+    </message>
+    <message>
+        <source>objects of more than a million triangles, which take long to draw and to trace: %1</source>
+        <translation>Objekte mit mehr als einer Million Dreiecken, die lange zu zeichnen und zu verfolgen sind: %1</translation>
+    </message>
+    <message>
+        <source>objects without normals get smooth ones: %1</source>
+        <translation>Objekte ohne Normalen bekommen glatte: %1</translation>
+    </message>
+    <message>
+        <source>%1 and %2 more</source>
+        <translation>%1 und %2 weitere</translation>
+    </message>
+    <message>
+        <source>%1 (and so in %2 more files)</source>
+        <translation>%1 (ebenso in %2 weiteren Dateien)</translation>
+    </message>
+    <message>
+        <source>not used, as neither picture nor motion needs it: %1</source>
+        <translation>nicht gebraucht, weder für das Bild noch für Bewegung: %1</translation>
+    </message>
+    <message>
+        <source>%1 values of %2</source>
+        <translation>%1 Werte von %2</translation>
+    </message>
+    <message>
+        <source>%1 (%2 fixtures need it)</source>
+        <translation>%1 (%2 Geräte brauchen sie)</translation>
+    </message>
+    <message>
+        <source>%1 (%2 fixture needs it)</source>
+        <translation>%1 (%2 Gerät braucht sie)</translation>
+    </message>
+    <message>
+        <source>fixture file &apos;%1&apos; is not in the archive</source>
+        <translation>die Gerätedatei &apos;%1&apos; ist nicht im Archiv</translation>
+    </message>
+    <message>
+        <source>fixture file &apos;%1&apos; is not in the archive, did you mean &apos;%2&apos;?</source>
+        <translation>die Gerätedatei &apos;%1&apos; ist nicht im Archiv, gemeint &apos;%2&apos;?</translation>
+    </message>
+    <message>
+        <source>element %1 means nothing to MVR 1.6 in %2; kept for the export</source>
+        <translation>das Element %1 bedeutet in MVR 1.6 unter %2 nichts; für den Export behalten</translation>
+    </message>
+    <message>
+        <source>%1 is &apos;%2&apos;, expected a number from %3 to %4, taking %5</source>
+        <translation>%1 ist &apos;%2&apos;, erwartet eine Zahl von %3 bis %4, genommen %5</translation>
+    </message>
+    <message>
+        <source>no mesh &apos;%1&apos; (.glb or .3ds) in models/, taking the primitive</source>
+        <translation>kein Modell &apos;%1&apos; (.glb oder .3ds) in models/, genommen ist die einfache Form</translation>
+    </message>
+    <message>
+        <source>%1 fixtures share their name with others and are called &apos;%2&apos; and so on: %3</source>
+        <translation>%1 Geräte haben ihren Namen mit anderen gemeinsam und heißen &apos;%2&apos; und so weiter: %3</translation>
+    </message>
+    <message>
+        <source>%1 has no physical range, taking %2 to %3 degrees</source>
+        <translation>%1 hat keinen physikalischen Bereich, genommen sind %2 bis %3 Grad</translation>
+    </message>
+    <message>
+        <source>Zoom has no physical range: the beam keeps its %1 degrees</source>
+        <translation>Zoom hat keinen physikalischen Bereich: Der Strahl behält seine %1 Grad</translation>
+    </message>
+    <message>
+        <source>an animation wheel whose sets are named as a way into the beam moves in; the names are believed (%1 functions)</source>
+        <translation>ein Animationsrad, dessen Sets nach einem Weg in den Strahl heißen, fährt ein; den Namen wird geglaubt (%1 Funktionen)</translation>
+    </message>
+    <message>
+        <source>the focus is named far at its low end, which is near here; the names are believed (%1 functions)</source>
+        <translation>der Fokus heißt an seinem unteren Ende fern, das hier nah ist; den Namen wird geglaubt (%1 Funktionen)</translation>
+    </message>
+    <message>
+        <source>a prism without facets; drawn as %1, by its name or as most are</source>
+        <translation>ein Prisma ohne Facetten; gezeichnet mit %1, nach seinem Namen oder wie die meisten</translation>
+    </message>
+    <message>
+        <source>there is no Symdef &apos;%1&apos;; nothing is drawn</source>
+        <translation>es gibt kein Symdef &apos;%1&apos;; nichts wird gezeichnet</translation>
+    </message>
+    <message>
+        <source>text &apos;%1&apos; is taken as a Source of type File</source>
+        <translation>der Text &apos;%1&apos; gilt als Source vom Typ File</translation>
+    </message>
+    <message>
+        <source>expected %1, found &apos;%2&apos;; taken as %3</source>
+        <translation>erwartet %1, gefunden &apos;%2&apos;; genommen %3</translation>
+    </message>
+    <message>
+        <source>the matrix flattens what it places (its determinant is 0)</source>
+        <translation>die Matrix drückt flach, was sie platziert (ihre Determinante ist 0)</translation>
+    </message>
+    <message>
+        <source>channels &apos;%1&apos; and &apos;%2&apos; both use byte %3 of break %4</source>
+        <translation>die Kanäle &apos;%1&apos; und &apos;%2&apos; benutzen beide Byte %3 von Break %4</translation>
+    </message>
+    <message>
+        <source>Symdef without a ChildList; its geometries are read all the same</source>
+        <translation>Symdef ohne ChildList; seine Geometrien werden trotzdem gelesen</translation>
+    </message>
+    <message>
+        <source>the %1 that %2 names does not exist</source>
+        <translation>ein Objekt %1, das %2 nennt, gibt es nicht</translation>
+    </message>
+    <message>
+        <source>these objects are in no Layer; they are put in one without a name</source>
+        <translation>diese Objekte sind in keinem Layer; sie kommen in einen ohne Namen</translation>
+    </message>
+    <message>
+        <source>mode &apos;%1&apos; takes no DMX: all its channels are virtual</source>
+        <translation>der Modus &apos;%1&apos; nimmt kein DMX: Alle seine Kanäle sind virtuell</translation>
+    </message>
+    <message>
+        <source>the channel&apos;s geometry &apos;%1&apos; is not in this mode&apos;s tree</source>
+        <translation>die Geometrie &apos;%1&apos; des Kanals ist nicht im Baum dieses Modus</translation>
+    </message>
+    <message>
+        <source>GDTFSpec &apos;%1&apos;: taken is &apos;%2&apos;</source>
+        <translation>GDTFSpec &apos;%1&apos;: genommen ist &apos;%2&apos;</translation>
+    </message>
+    <message>
+        <source>%1 fixture of %2 type, patched in %3 universes</source>
+        <translation>%1 Gerät von %2 Typ, gepatcht in %3 Universen</translation>
+    </message>
+    <message>
+        <source>%1 deg</source>
+        <translation>%1°</translation>
+    </message>
+    <message>
         <source>%1. A desk on this very machine has to send unicast to 127.0.0.1: multicast of QLC+ does not come back here. To tell them apart: where &apos;%2&apos; shows packets to an address of ours, to its broadcast or to 239.255, a firewall of this machine drops them; where it shows none at all, they do not get here: a cable, another VLAN, a switch that holds multicast back (IGMP snooping without a querier), or a desk that is silent</source>
-        <translation>%1. Ein Pult auf ebendiesem Rechner muss Unicast an 127.0.0.1 senden: Multicast von QLC+ kommt hier nicht zurück. So unterscheidet man sie: wo &apos;%2&apos; Pakete an eine Adresse von uns, an deren Broadcast oder an 239.255 zeigt, verwirft sie eine Firewall dieses Rechners; wo es gar keine zeigt, kommen sie nicht bis hierher: ein Kabel, ein anderes VLAN, ein Switch, der Multicast zurückhält (IGMP-Snooping ohne Querier), oder ein Pult, das schweigt</translation>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -5437,6 +5892,22 @@
         <source> of %1 by RDM</source>
         <translation> von %1 per RDM</translation>
     </message>
+    <message>
+        <source>aim</source>
+        <translation>ausrichten</translation>
+    </message>
+    <message>
+        <source>hold</source>
+        <translation>halten</translation>
+    </message>
+    <message>
+        <source>gobo</source>
+        <translation>Gobo</translation>
+    </message>
+    <message>
+        <source>release</source>
+        <translation>freigeben</translation>
+    </message>
 </context>
 <context>
     <name>Value</name>
@@ -5518,6 +5989,10 @@
     <message>
         <source>It is being looked at ...</source>
         <translation>Wird untersucht ...</translation>
+    </message>
+    <message>
+        <source>The way from the packet to the light</source>
+        <translation>Der Weg vom Paket zum Licht</translation>
     </message>
 </context>
 <context>
@@ -5623,6 +6098,26 @@
     <message>
         <source>Apache License 2.0. VARI*LITE and VL2500 are marks of their owners, who have no part in this.</source>
         <translation>Apache-Lizenz 2.0. VARI*LITE und VL2500 sind Marken ihrer Eigentümer, die hieran nicht beteiligt sind.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; has changes that are not saved.</source>
+        <translation>&apos;%1&apos; hat Änderungen, die nicht gesichert sind.</translation>
+    </message>
+    <message>
+        <source>Closed without saving they are kept, and offered when the show is opened again.</source>
+        <translation>Ohne Sichern geschlossen, bleiben sie erhalten und werden beim nächsten Öffnen der Show angeboten.</translation>
+    </message>
+    <message>
+        <source>Save and close</source>
+        <translation>Sichern und schließen</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
     </message>
 </context>
 </TS>

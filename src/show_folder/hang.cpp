@@ -21,6 +21,8 @@ constexpr float kAboveLamp_m = 0.6f;    // of a fixture's place: the underside o
 constexpr float kBelowLamp_m = 0.3f;    // likewise: clamps reach round it
 constexpr float kBesideLamp_m = 0.5f;   // beyond the bar's own half width
 constexpr float kSameWay = 0.999f;      // cosine, 2.5 degrees
+constexpr float kEnd = 0.1f; // of its length, at either end and in the middle: where a bow is measured
+constexpr float kLeastBow_m = 0.1f;
 
 struct Extent {
     float low = std::numeric_limits<float>::max();
@@ -67,7 +69,34 @@ bool goes_on(const Bar& bar, const Bar& other) {
     return along.high > -kGap_m && along.low < bar.length_m() + kGap_m;
 }
 
+// How far the middle of what lies along a way is from its ends, to the left; 0: it is straight, or an S.
+float bow_of(std::span<const glm::vec2> plan, const glm::vec2& way, const Extent& along) {
+    Extent begin, middle, end;
+    for (const glm::vec2& point : plan) {
+        const float at = (glm::dot(point, way) - along.low) / along.length();
+        const float beside_m = glm::dot(point, {-way.y, way.x});
+        if (at < kEnd) begin.include(beside_m);
+        if (at > 1 - kEnd) end.include(beside_m);
+        if (std::abs(at - 0.5f) < kEnd / 2) middle.include(beside_m);
+    }
+    if (begin.length() < 0 || middle.length() < 0 || end.length() < 0) return 0; // nothing is there
+    const float from_begin_m = middle.middle() - begin.middle(), from_end_m = middle.middle() - end.middle();
+    const bool bends = std::min(std::abs(from_begin_m), std::abs(from_end_m)) >= kLeastBow_m;
+    // Of the parabola of place_m() that much lies between the middles of where it was measured.
+    constexpr float kSeen = 1 - 4 * (kEnd / 2) * (1 - kEnd / 2);
+    return bends && from_begin_m * from_end_m > 0 ? 0.5f * (from_begin_m + from_end_m) / kSeen : 0;
+}
+
 } // namespace
+
+glm::vec3 Bar::place_m(float at) const {
+    const glm::vec3 run = to_m - from_m;
+    const float length = std::hypot(run.x, run.y);
+    if (bow_m == 0 || length <= 0) return from_m + at * run;
+    // The line runs through the middle of what it bends round; a parabola is near enough to an arc.
+    const glm::vec3 left(-run.y / length, run.x / length, 0);
+    return from_m + at * run + bow_m * (4 * at * (1 - at) - 0.5f) * left;
+}
 
 std::optional<Bar> bar_of(std::span<const glm::vec3> positions, const glm::mat4& world) {
     if (positions.empty()) return std::nullopt;
@@ -103,9 +132,13 @@ std::optional<Bar> bar_of(std::span<const glm::vec3> positions, const glm::mat4&
     Bar bar{{best_along.low * best_way + middle, height.low},
             {best_along.high * best_way + middle, height.low},
             std::max(best_across.length(), height.length()),
-            height.length()};
+            height.length(),
+            bow_of(plan, best_way, best_along)};
     const glm::vec3 run = bar.to_m - bar.from_m;
-    if (std::abs(run.x) > 0.01f * bar.length_m() ? run.x < 0 : run.y < 0) std::swap(bar.from_m, bar.to_m);
+    if (std::abs(run.x) > 0.01f * bar.length_m() ? run.x < 0 : run.y < 0) {
+        std::swap(bar.from_m, bar.to_m);
+        bar.bow_m = -bar.bow_m;
+    }
     return bar;
 }
 
@@ -133,6 +166,7 @@ Bar joined(const Bar& piece, std::span<const Bar> all, std::vector<bool>& taken)
                 along.include(glm::dot(end - piece.from_m, way));
             whole.from_m = piece.from_m + along.low * way;
             whole.to_m = piece.from_m + along.high * way;
+            whole.bow_m = 0;
         }
     }
     return whole;
@@ -170,11 +204,10 @@ std::vector<glm::vec3> places_under(const Bar& bar, std::span<const glm::vec3> a
     std::vector<glm::vec3> places;
     const glm::vec3 way = way_of(bar);
     for (std::size_t i = 0; i < are_m.size(); ++i) {
-        const float at_m =
-            are_m.size() == 1
-                ? std::clamp(glm::dot(are_m[0] - bar.from_m, way), 0.0f, bar.length_m())
-                : bar.length_m() * (static_cast<float>(i) + 0.5f) / static_cast<float>(are_m.size());
-        places.push_back(bar.from_m + at_m * way);
+        const float at = are_m.size() == 1
+                             ? std::clamp(glm::dot(are_m[0] - bar.from_m, way) / bar.length_m(), 0.0f, 1.0f)
+                             : (static_cast<float>(i) + 0.5f) / static_cast<float>(are_m.size());
+        places.push_back(bar.place_m(at));
     }
     return places;
 }

@@ -18,8 +18,11 @@ struct Bar {
     glm::vec3 to_m{0};
     float across_m = 0;    // the wider of its two sides
     float height_m = 0.1f; // from its underside to its top
+    float bow_m = 0;       // of one that is bent in plan: its middle from its ends, to the left of its way
 
     float length_m() const { return glm::distance(from_m, to_m); }
+    // at: 0 where it begins, 1 where it ends.
+    glm::vec3 place_m(float at) const;
     bool operator==(const Bar&) const = default;
 };
 

@@ -49,6 +49,32 @@ TEST(Hang, a_truss_may_run_any_way_in_plan) {
     expect_near(up_stage->from_m, {1, 6, 5.8f});
 }
 
+// Pieces of an arc round (0, -9): 8 m long, its middle 1 m up-stage of its ends.
+TEST(Hang, under_a_bent_truss_it_is_the_bend_that_carries) {
+    std::vector<glm::vec3> corners;
+    for (int k = -20; k <= 20; ++k) {
+        const float angle = std::asin(4.0f / 8.5f) * static_cast<float>(k) / 20;
+        for (const float radius_m : {8.35f, 8.65f})
+            for (const float z_m : {5.7f, 6.0f})
+                corners.emplace_back(radius_m * std::sin(angle), radius_m * std::cos(angle) - 9, z_m);
+    }
+    const auto bar = bar_of(corners, glm::mat4(1));
+    ASSERT_TRUE(bar);
+    EXPECT_NEAR(bar->bow_m, 1, 0.05f);
+    for (const float x_m : {-3.9f, -2.0f, 0.0f, 1.0f, 3.5f}) {
+        const glm::vec3 place_m = places_under(*bar, std::array{glm::vec3(x_m, 3, 8)}).front();
+        EXPECT_NEAR(place_m.x, x_m, 0.01f);
+        EXPECT_NEAR(place_m.y, std::sqrt(8.5f * 8.5f - x_m * x_m) - 9, 0.08f) << x_m;
+        EXPECT_NEAR(place_m.z, 5.7f, 1e-4f);
+    }
+    // Drawn the other way round, or turned, it is the same one.
+    const glm::mat4 half_turn = glm::rotate(glm::mat4(1), glm::radians(180.0f), glm::vec3(0, 0, 1));
+    const auto turned = bar_of(corners, half_turn);
+    ASSERT_TRUE(turned);
+    EXPECT_NEAR(turned->bow_m, -bar->bow_m, 1e-3f);
+    EXPECT_EQ(bar_of(box({2, 0.2f, 0.25f}), kUp)->bow_m, 0);
+}
+
 TEST(Hang, what_stands_or_is_no_truss_is_told_apart) {
     EXPECT_FALSE(bar_of(box({0.2f, 0.2f, 2}), kUp)) << "a tower";
     EXPECT_FALSE(bar_of({}, kUp));

@@ -7,6 +7,7 @@
 #include <QFileDialog>
 
 #include <cmath>
+#include <utility>
 
 namespace ghost::ui {
 
@@ -73,7 +74,10 @@ Result<void> Actions::choose(const Action& action, QStringList arguments) {
         if (file.isEmpty()) return {};
         arguments.append(file);
     }
-    return run(action, arguments);
+    const bool before = std::exchange(by_hand_, true);
+    const Result<void> done = run(action, arguments);
+    by_hand_ = before;
+    return done;
 }
 
 namespace {

@@ -50,6 +50,8 @@ public:
     // The same by a person's hand: what lacks its file is asked for (no answer: nothing happens), and what
     // went wrong goes to `complain`.
     void choose(const QString& line);
+    // While an action runs: whether a person chose it.
+    bool is_by_hand() const { return by_hand_; }
     // Sets the ticks of all switches.
     void refresh();
 
@@ -67,6 +69,7 @@ private:
     QWidget& window_;
     std::vector<Action> actions_;
     std::map<QString, QAction*> items_;
+    bool by_hand_ = false;
 };
 
 // "a "b c"" -> a, b c. Error: a quote without its end.

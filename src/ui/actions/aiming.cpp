@@ -60,7 +60,7 @@ Result<int> aim_selected(AppModel& app, const glm::vec3& at_m, float spread_m) {
             std::abs(*programmer.tilt_deg - wanted.tilt_deg) > kNear_deg)
             ++beyond;
     }
-    app.set_look(std::move(look), "aim");
+    app.set_look(std::move(look), translated("Undo", "aim"));
     return beyond;
 }
 

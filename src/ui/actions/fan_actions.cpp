@@ -201,7 +201,7 @@ Result<void> hold_selected(AppModel& app) {
         hold(app.show()->fixtures[head], levels, look.fixtures[head]);
     std::erase_if(look.fixtures, [](const auto& entry) { return entry.second.is_empty(); });
     if (look == app.look()) return Error{"everything of the selected fixtures is the hand's already", ""};
-    app.set_look(std::move(look), "hold");
+    app.set_look(std::move(look), translated("Undo", "hold"));
     return {};
 }
 

@@ -42,7 +42,7 @@ Result<void> set_gel(AppModel& app, const QStringList& words) {
                          ""};
         gel = transmission_of(colour);
     }
-    change_selected(app, "gel", ProgrammerStep::gel,
+    change_selected(app, translated("Undo", "gel"), ProgrammerStep::gel,
                     [&](fixture::Programmer& programmer) { programmer.gel = gel; });
     return {};
 }
@@ -58,10 +58,11 @@ Result<void> set_lamp(AppModel& app, const QStringList& words) {
             white_k = static_cast<float>(kelvin);
         }
     }
-    change_selected(app, "lamp", ProgrammerStep::lamp, [&](fixture::Programmer& programmer) {
-        programmer.lamp = factor;
-        programmer.lamp_k = white_k;
-    });
+    change_selected(app, translated("Undo", "lamp"), ProgrammerStep::lamp,
+                    [&](fixture::Programmer& programmer) {
+                        programmer.lamp = factor;
+                        programmer.lamp_k = white_k;
+                    });
     return {};
 }
 

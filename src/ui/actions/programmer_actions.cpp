@@ -182,9 +182,9 @@ void add_fixture_actions(Actions& actions, AppModel& app) {
                  [&app](const QStringList& words) -> Result<void> {
                      TRY_VOID(need_selection(app));
                      TRY(const double slot, number_of(words, 0, "slot, 0 is open,", 0, 255));
-                     change_selected(app, "gobo", ProgrammerStep::gobo, [&](fixture::Programmer& programmer) {
-                         programmer.gobo = static_cast<int>(slot);
-                     });
+                     change_selected(
+                         app, translated("Undo", "gobo"), ProgrammerStep::gobo,
+                         [&](fixture::Programmer& programmer) { programmer.gobo = static_cast<int>(slot); });
                      return {};
                  },
                  {}});
@@ -203,7 +203,7 @@ void add_fixture_actions(Actions& actions, AppModel& app) {
                                           : "nothing of the selected fixtures is set by hand; "
                                             "Shift+R releases everything",
                                       ""};
-                     change_selected(app, "release", ProgrammerStep::step,
+                     change_selected(app, translated("Undo", "release"), ProgrammerStep::step,
                                      [](fixture::Programmer& programmer) { programmer = {}; });
                      return {};
                  },

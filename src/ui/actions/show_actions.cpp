@@ -103,6 +103,7 @@ void about(QWidget& window, const AppModel& app) {
                                  "have no part in this.") +
             "</p>",
         QMessageBox::Close, &window);
+    box->setTextFormat(Qt::RichText);
     box->setAttribute(Qt::WA_DeleteOnClose);
     box->setModal(false);
     box->show();

@@ -122,6 +122,7 @@ void AirPanel::add_rows(QLayout* layout) {
 
 void AirPanel::add_hazers(QLayout* layout, Actions& actions) {
     hazers_ = new QTableWidget(0, static_cast<int>(std::size(kHazerColumns)), this);
+    hazers_->setTabKeyNavigation(false); // Tab leaves it
     hazers_->setAccessibleName(translated("Air", "Hazers"));
     for (int column = 0; column < hazers_->columnCount(); ++column) {
         auto* title = new QTableWidgetItem(translated("Air", kHazerColumns[column].title));

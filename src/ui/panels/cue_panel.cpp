@@ -72,6 +72,7 @@ private:
 CuePanel::CuePanel(AppModel& app, CueList& cues, Looks& looks, Actions& actions, QWidget* parent)
     : QWidget(parent), app_(app), cues_(cues), looks_(looks), actions_(actions), next_(new QLabel(this)),
       table_(new QTableWidget(0, kCueColumns, this)) {
+    table_->setTabKeyNavigation(false); // Tab leaves it
     next_->setWordWrap(true);
     table_->setAccessibleName(translated("Cues", "Cues"));
     table_->setHorizontalHeaderLabels({translated("Cues", "Number"), translated("Cues", "Cue"),
@@ -194,12 +195,18 @@ void CuePanel::fill() {
     const std::vector<scene::Cue>& cues = cues_.all();
     const int row_before = table_->currentRow();
     table_->setRowCount(static_cast<int>(cues.size()));
-    for (std::size_t i = 0; i < cues.size(); ++i)
+    for (std::size_t i = 0; i < cues.size(); ++i) {
+        // Seen in a selected row, too, which has a colour of its own.
+        const QString place = QString::number(i + 1);
+        auto* const mark = new QTableWidgetItem(cues_.current() == i ? "\u25B6 " + place : place);
+        if (cues_.current() == i) mark->setForeground(accent());
+        table_->setVerticalHeaderItem(static_cast<int>(i), mark);
         for (int column = 0; column < kCueColumns; ++column) {
             auto* item = new QTableWidgetItem(text_of(cues[i], column));
             if (cues_.current() == i) item->setForeground(accent());
             table_->setItem(static_cast<int>(i), column, item);
         }
+    }
     if (!cues.empty())
         table_->setCurrentCell(std::clamp(row_before, 0, static_cast<int>(cues.size()) - 1), name,
                                QItemSelectionModel::ClearAndSelect | QItemSelectionModel::Rows);

@@ -98,6 +98,7 @@ FixturePanel::FixturePanel(AppModel& app, ShowDocument& document, QWidget* paren
     sorted_ = new FixtureFilter(this);
     sorted_->setSourceModel(list_);
     table_ = new FixtureTable(this);
+    table_->setTabKeyNavigation(false); // Tab leaves it
     table_->setModel(sorted_);
     table_->setSortingEnabled(true);
     table_->sortByColumn(-1, Qt::AscendingOrder);

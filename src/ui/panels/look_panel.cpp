@@ -33,13 +33,12 @@ LookPanel::LookPanel(AppModel& app, Looks& looks, Actions& actions, QWidget* par
     const auto name = [this] { return quoted(chosen()); };
     recall_ = add_button(translated("Looks", "Recall"), translated("Looks", "Fades to it"),
                          [=] { return "look-recall " + name(); });
-    QPushButton* store =
-        add_button(translated("Looks", "Store what hands set"), translated("Looks", "As a new look"),
-                   [this] { return "look-store " + quoted(new_name()); });
-    QPushButton* capture =
-        add_button(translated("Looks", "Store what is seen"),
-                   translated("Looks", "Of the selected fixtures, or of all: whoever asked for it"),
-                   [this] { return "look-capture " + quoted(new_name()); });
+    auto* store = new QPushButton(translated("Looks", "Store what hands set"), this);
+    store->setToolTip(translated("Looks", "As a new look"));
+    connect(store, &QPushButton::clicked, this, [this] { store_new("look-store"); });
+    auto* capture = new QPushButton(translated("Looks", "Store what is seen"), this);
+    capture->setToolTip(translated("Looks", "Of the selected fixtures, or of all: whoever asked for it"));
+    connect(capture, &QPushButton::clicked, this, [this] { store_new("look-capture"); });
     update_ =
         add_button(translated("Looks", "Update"), translated("Looks", "Puts what hands set in its place"),
                    [=] { return "look-store " + name(); });
@@ -125,6 +124,16 @@ void LookPanel::fill_menu(QMenu& menu) {
     add(translated("Looks", "Update with what hands set"), [this, name] { run("look-store " + name); });
     menu.addSeparator();
     add(translated("Looks", "Remove"), [this, name] { run("look-remove " + name); });
+}
+
+// What is typed next is its name.
+void LookPanel::store_new(const QString& action) {
+    const QString name = new_name();
+    run(action + " " + quoted(name));
+    for (QListWidgetItem* const item : list_->findItems(name, Qt::MatchExactly)) {
+        list_->setCurrentItem(item);
+        list_->editItem(item);
+    }
 }
 
 void LookPanel::run(const QString& line) {

@@ -31,6 +31,7 @@ public:
 private:
     QPushButton* add_button(const QString& text, const QString& tip, std::function<QString()> line);
     void add_what_if(QLayout* layout);
+    void store_new(const QString& action);
     void run(const QString& line);
     void fill();
     void list_names();

@@ -142,6 +142,7 @@ NetworkPanel::NetworkPanel(AppModel& app, Actions& actions, QWidget* parent) : Q
     summary_ = new QLabel(translated("Network", "Nothing has come from the network yet."), this);
     summary_->setWordWrap(true);
     sources_ = new QTableWidget(0, kSourceColumns, this);
+    sources_->setTabKeyNavigation(false); // Tab leaves it
     sources_->setAccessibleName(translated("Network", "Sources"));
     sources_->setHorizontalHeaderLabels(
         {translated("Network", "Universe"), translated("Network", "Source"), translated("Network", "Is"),

@@ -80,8 +80,14 @@ PaletteBox::PaletteBox(AppModel& app, PaletteList& palettes, Actions& actions, Q
     layout->addLayout(row);
     layout->addWidget(list_);
     connect(kinds_, &QButtonGroup::idToggled, this, &PaletteBox::fill);
-    connect(store_, &QToolButton::clicked, this,
-            [this] { run("palette-store " + kind_word() + " " + quoted(new_name())); });
+    connect(store_, &QToolButton::clicked, this, [this] {
+        const QString name = new_name();
+        run("palette-store " + kind_word() + " " + quoted(name));
+        for (QListWidgetItem* const item : list_->findItems(name, Qt::MatchExactly)) {
+            list_->setCurrentItem(item);
+            list_->editItem(item); // what is typed next is its name
+        }
+    });
     for (const auto signal : {&QListWidget::itemClicked, &QListWidget::itemActivated})
         connect(list_, signal, this,
                 [this](QListWidgetItem* item) { run("palette " + quoted(item->text())); });

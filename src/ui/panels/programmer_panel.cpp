@@ -47,7 +47,7 @@ ProgrammerPanel::ProgrammerPanel(AppModel& app, PaletteList& palettes, Actions& 
     colour_ = new ColourRow(translated("Programmer", "Colour"), this);
     column_->addWidget(colour_);
     colour_->on_change = [this](const QColor& colour) {
-        change_selected(app_, "colour", ProgrammerStep::colour,
+        change_selected(app_, translated("Undo", "colour"), ProgrammerStep::colour,
                         [&](fixture::Programmer& programmer) { programmer.colour = filter_from(colour); });
     };
     colour_->on_release = [this] {
@@ -58,12 +58,13 @@ ProgrammerPanel::ProgrammerPanel(AppModel& app, PaletteList& palettes, Actions& 
     gobo_ = new QComboBox(this);
     gobo_->setAccessibleName(translated("Programmer", "Gobo"));
     connect(gobo_, &QComboBox::activated, this, [this](int index) {
-        change_selected(app_, "gobo", ProgrammerStep::gobo, [&](fixture::Programmer& programmer) {
-            if (index == 0)
-                programmer.gobo.reset();
-            else
-                programmer.gobo = index - 1;
-        });
+        change_selected(app_, translated("Undo", "gobo"), ProgrammerStep::gobo,
+                        [&](fixture::Programmer& programmer) {
+                            if (index == 0)
+                                programmer.gobo.reset();
+                            else
+                                programmer.gobo = index - 1;
+                        });
     });
     hold_ = new QPushButton(translated("Programmer", "Hold (H)"), this);
     hold_->setToolTip(translated(
@@ -71,7 +72,7 @@ ProgrammerPanel::ProgrammerPanel(AppModel& app, PaletteList& palettes, Actions& 
     connect(hold_, &QPushButton::clicked, this, [&actions] { actions.choose("hold"); });
     release_ = new QPushButton(translated("Programmer", "Give all back (R)"), this);
     connect(release_, &QPushButton::clicked, this, [this] {
-        change_selected(app_, "release", ProgrammerStep::step,
+        change_selected(app_, translated("Undo", "release"), ProgrammerStep::step,
                         [](fixture::Programmer& programmer) { programmer = {}; });
     });
     auto* form = new QFormLayout;

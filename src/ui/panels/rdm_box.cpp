@@ -66,6 +66,7 @@ RdmBox::RdmBox(AppModel& app, Actions& actions, QWidget* parent) : QWidget(paren
     words_ = new QLabel(this);
     words_->setWordWrap(true);
     heads_ = new QTableWidget(0, 5, this);
+    heads_->setTabKeyNavigation(false); // Tab leaves it
     heads_->setAccessibleName(translated("RDM", "Fixtures as RDM devices"));
     heads_->setHorizontalHeaderLabels({translated("RDM", "Fixture"), "UID", translated("RDM", "Address"),
                                        translated("RDM", "Mode"), translated("RDM", "Is")});

@@ -46,6 +46,7 @@ StageTree::StageTree(AppModel& app, QWidget* parent)
     tree_->setSelectionMode(QAbstractItemView::ExtendedSelection);
     tree_->setAlternatingRowColors(true);
     tree_->setUniformRowHeights(true);
+    tree_->setMinimumHeight(9 * tree_->fontMetrics().height()); // the panel scrolls where that is too much
     connect(tree_, &QTreeWidget::itemChanged, this, &StageTree::take_box);
     connect(tree_, &QTreeWidget::currentItemChanged, this, [this] {
         app_.mark(object());

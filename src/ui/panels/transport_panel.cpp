@@ -71,9 +71,10 @@ void TransportPanel::refresh() {
     play_->setIconText(app_.request().transport.playing ? "\u275A\u275A" : "\u25B6"); // what it will do
     const double length_s = app_.rig().recording_s;
     place_->setEnabled(length_s > 0 && !app_.rig().from_desk);
-    time_->setText(app_.rig().from_desk ? translated("Transport", "desk")
-                   : length_s > 0       ? clock_of(app_.rig().at_s) + " / " + clock_of(length_s)
-                                        : translated("Transport", "no recording"));
+    const bool is_driven = app_.rig().from_desk && !app_.rig().universes.list.empty();
+    time_->setText(is_driven      ? translated("Transport", "desk")
+                   : length_s > 0 ? clock_of(app_.rig().at_s) + " / " + clock_of(length_s)
+                                  : translated("Transport", "no recording"));
     input_->setCurrentIndex(static_cast<int>(app_.request().input));
     master_->setValue(static_cast<int>(std::lround(app_.request().master * 100)));
 }

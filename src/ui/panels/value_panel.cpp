@@ -8,6 +8,7 @@
 #include <QHeaderView>
 #include <QPainter>
 #include <QRegularExpression>
+#include <QScrollBar>
 #include <QSplitter>
 #include <QStyledItemDelegate>
 #include <QVBoxLayout>
@@ -94,6 +95,25 @@ QString words_by_hand(const scene::ChannelFacts& channel, const fixture::Program
     }
 }
 
+// The words of diagnose/explain_words.h stand in columns, as in a terminal. In a panel as wide as a hand
+// lines wrap, and what wraps is indented instead.
+QString as_paragraphs(const QString& words) {
+    static const QRegularExpression kColumns(" {2,}");
+    const QString gap = QString(" ") + QChar(QChar::Nbsp);
+    QString html;
+    for (const QString& line :
+         words.split('\n', Qt::SkipEmptyParts).mid(1)) { // the first is the verdict above
+        const QStringList parts = line.split(kColumns, Qt::SkipEmptyParts);
+        const bool has_title = !line.startsWith(' ') && parts.size() > 1;
+        QString text = has_title ? "<b>" + parts[0].toHtmlEscaped() + "</b>" + gap : QString();
+        text += parts.mid(has_title ? 1 : 0).join("  ").toHtmlEscaped().replace("  ", gap);
+        html += QString("<p style='margin:0 0 0 %1px; text-indent:-10px'>%2</p>")
+                    .arg(has_title ? 10 : 20)
+                    .arg(text);
+    }
+    return html;
+}
+
 } // namespace
 
 void ChannelModel::show(const scene::Explanation& explanation, const fixture::Programmer& programmer) {
@@ -174,9 +194,8 @@ ValuePanel::ValuePanel(AppModel& app, QWidget* parent) : QWidget(parent), app_(a
         table_->horizontalHeader()->setSectionResizeMode(column, QHeaderView::ResizeToContents);
     table_->horizontalHeader()->setResizeContentsPrecision(0);
     table_->setColumnWidth(ChannelModel::attribute, 14 * table_->fontMetrics().averageCharWidth());
-    words_ = new QPlainTextEdit(this);
-    words_->setReadOnly(true);
-    words_->setLineWrapMode(QPlainTextEdit::WidgetWidth);
+    words_ = new QTextBrowser(this);
+    words_->setAccessibleName(translated("Values", "The way from the packet to the light"));
     auto* splitter = new QSplitter(Qt::Vertical, this);
     splitter->addWidget(table_);
     splitter->addWidget(words_);
@@ -201,6 +220,7 @@ void ValuePanel::refresh() {
         verdict_->setText(translated("Values", "Click a lamp in the picture or a row of the list."));
         model_->show({}, {});
         words_->clear();
+        shown_words_.clear();
         return;
     }
     QString title = QString::fromStdString(app_.show()->fixtures[*current].name);
@@ -221,8 +241,11 @@ void ValuePanel::refresh() {
     model_->show(explained.explanation,
                  by_hand == app_.look().fixtures.end() ? fixture::Programmer{} : by_hand->second);
     table_->setColumnHidden(ChannelModel::by_hand, by_hand == app_.look().fixtures.end());
-    const QString words = QString::fromStdString(explained.words);
-    if (words != words_->toPlainText() && !words_->textCursor().hasSelection()) words_->setPlainText(words);
+    if (shown_words_ == explained.words || words_->textCursor().hasSelection()) return;
+    shown_words_ = explained.words;
+    const int at = words_->verticalScrollBar()->value();
+    words_->setHtml(as_paragraphs(QString::fromStdString(shown_words_)));
+    words_->verticalScrollBar()->setValue(at);
 }
 
 } // namespace ghost::ui

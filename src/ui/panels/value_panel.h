@@ -7,8 +7,8 @@
 
 #include <QAbstractTableModel>
 #include <QLabel>
-#include <QPlainTextEdit>
 #include <QTableView>
+#include <QTextBrowser>
 #include <QWidget>
 
 namespace ghost::ui {
@@ -45,8 +45,9 @@ private:
     QLabel* verdict_;
     ChannelModel* model_;
     QTableView* table_;
-    QPlainTextEdit* words_;
+    QTextBrowser* words_;
     std::optional<std::size_t> shown_; // the fixture that the words are about
+    std::string shown_words_;
 };
 
 } // namespace ghost::ui

@@ -123,9 +123,11 @@ void View::paintEvent(QPaintEvent*) {
     const Picture& picture = app_.picture();
     if (!app_.show() || !picture.image) {
         painter.fillRect(rect(), QColor(12, 12, 13));
-        const bool waits = !app_.activity().empty() || app_.show();
         paint_notice(painter, size(),
-                     waits ? said(app_.activity()) : translated("Picture", "No show is open"), QString());
+                     !app_.activity().empty() ? said(app_.activity())
+                     : app_.show()            ? translated("Picture", "The first picture is being drawn")
+                                              : translated("Picture", "No show is open"),
+                     QString());
         paint_box(painter);
         return;
     }

@@ -63,8 +63,10 @@ FocusGuide::~FocusGuide() {
 }
 
 void FocusGuide::show_ring(QWidget* control) {
-    const bool is_ours = control && control->window() == view_->window() && gets_ring(control);
-    if (!ring_) ring_ = new Ring(view_->window());
+    // In dialogs and torn-off panels, too; a list that drops down says by itself where it is.
+    const bool is_ours = control && control->window()->windowType() != Qt::Popup && gets_ring(control);
+    if (!ring_ && is_ours) ring_ = new Ring(control->window());
+    if (!ring_) return;
     ring_->setWidget(is_ours ? control : nullptr);
 }
 

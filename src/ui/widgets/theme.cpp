@@ -1,13 +1,36 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/widgets/theme.h"
 
+#include <QPainter>
 #include <QPalette>
+#include <QProxyStyle>
 #include <QStyleFactory>
+#include <QStyleOption>
 
 namespace ghost::ui {
 
+namespace {
+
+// Fusion, the same on every system; its box to tick has an outline darker than the window, which a dark room
+// swallows.
+class Theme : public QProxyStyle {
+public:
+    Theme() : QProxyStyle(QStyleFactory::create("Fusion")) {}
+    void drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter,
+                       const QWidget* widget) const override {
+        QProxyStyle::drawPrimitive(element, option, painter, widget);
+        if (element != PE_IndicatorCheckBox) return;
+        painter->save();
+        painter->setPen(option->palette.color(QPalette::PlaceholderText));
+        painter->drawRect(option->rect.adjusted(0, 0, -1, -1));
+        painter->restore();
+    }
+};
+
+} // namespace
+
 void set_theme(QApplication& application) {
-    application.setStyle(QStyleFactory::create("Fusion")); // the same on every system
+    application.setStyle(new Theme);
     QPalette palette;
     const QColor ground(30, 30, 33), deep(22, 22, 24), text(222, 222, 222), grey(142, 142, 145),
         placeholder(164, 164, 168);

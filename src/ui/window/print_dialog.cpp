@@ -231,6 +231,7 @@ QWidget* PrintDialog::make_preview() {
     tables_ = new QComboBox(preview);
     tables_->setAccessibleName(translated("Print", "Table to look at"));
     table_ = new QTableWidget(preview);
+    table_->setTabKeyNavigation(false); // Tab leaves it
     table_->setAccessibleName(translated("Print", "Preview of the table"));
     table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
     table_->verticalHeader()->hide();

@@ -3,6 +3,7 @@
 
 #include "ui/language/language.h"
 
+#include <QScreen>
 #include <QTextBrowser>
 #include <QVBoxLayout>
 
@@ -62,7 +63,7 @@ ShortcutSheet::ShortcutSheet(const Actions& actions, QWidget* parent) : QDialog(
     text->setHtml(html + "</tr></table>");
     auto* layout = new QVBoxLayout(this);
     layout->addWidget(text);
-    resize(980, 620);
+    resize(QSize(1240, 880).boundedTo(screen()->availableSize() * 9 / 10));
 }
 
 } // namespace ghost::ui

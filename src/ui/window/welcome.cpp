@@ -78,6 +78,7 @@ Welcome::Welcome(Actions& actions, AppModel& app, RecentShows& recent, bool has_
 QPushButton* Welcome::add_button(const QString& action, const QString& text, const QString& words) {
     auto* button = new QPushButton(text + "\n" + words, ways_);
     button->setMinimumHeight(64);
+    button->setStyleSheet("padding: 6px 14px;");
     button->setToolTip(actions_.item(action)->shortcut().toString(QKeySequence::NativeText));
     connect(button, &QPushButton::clicked, this, [this, action] { actions_.choose(action); });
     return button;

@@ -24,7 +24,6 @@
 #include "ui/panels/message_panel.h"
 #include "ui/panels/network_panel.h"
 #include "ui/panels/plot_panel.h"
-#include "ui/window/print_dialog.h"
 #include "ui/panels/programmer_panel.h"
 #include "ui/panels/scene_panel.h"
 #include "ui/panels/transport_panel.h"
@@ -32,8 +31,10 @@
 #include "ui/picture/camera_strip.h"
 #include "ui/picture/view_bar.h"
 #include "ui/widgets/focus_guide.h"
+#include "ui/widgets/panel_area.h"
 #include "ui/widgets/wheel_guard.h"
 #include "ui/window/plot_actions.h"
+#include "ui/window/print_dialog.h"
 #include "ui/window/private/meter_actions.h"
 #include "ui/window/private/notice_bar.h"
 #include "ui/window/private/welcome.h"
@@ -43,9 +44,10 @@
 #include <QFileInfo>
 #include <QLayout>
 #include <QMenuBar>
+#include <QMessageBox>
 #include <QMimeData>
+#include <QPushButton>
 #include <QScreen>
-#include <QScrollArea>
 #include <QSettings>
 #include <QStatusBar>
 
@@ -74,6 +76,8 @@ Window::Window(Link& link, const WindowOptions& options)
     qApp->installEventFilter(new WheelGuard(this));
     setDockNestingEnabled(true);
     setCentralWidget(view_);
+    for (QLabel* const one : {status_input_, status_supply_, status_jobs_, status_device_})
+        one->setMinimumWidth(1); // long words do not make the window wider than a small display
     statusBar()->addWidget(status_input_, 1);
     statusBar()->addPermanentWidget(status_jobs_);
     statusBar()->addPermanentWidget(status_supply_);
@@ -213,6 +217,7 @@ Window::Window(Link& link, const WindowOptions& options)
     } else {
         if (options_.width > 0) resize(options_.width, options_.height);
         const QSize asked = size();
+        has_first_layout_ = true;
         lay_out();
         layout()->activate();
         resize(asked); // while panels changed places they needed more
@@ -237,13 +242,7 @@ QDockWidget* Window::add_panel(const QString& name, const QString& title, QWidge
                                Qt::DockWidgetArea area) {
     auto* dock = new QDockWidget(title, this);
     dock->setObjectName(name); // the layout is remembered by it
-    // One that is tall or wide must not make the window so.
-    auto* scrolls = new QScrollArea(dock);
-    scrolls->setFrameShape(QFrame::NoFrame);
-    scrolls->setWidgetResizable(true);
-    scrolls->setFocusPolicy(Qt::NoFocus);
-    scrolls->setWidget(panel);
-    dock->setWidget(scrolls);
+    dock->setWidget(new PanelArea(panel, dock));
     addDockWidget(area, dock);
     docks_.push_back(dock);
     const QString key = docks_.size() <= 9 ? QString("Ctrl+%1").arg(docks_.size()) : QString();
@@ -286,8 +285,8 @@ void Window::add_panels() {
     tabifyDockWidget(values, hand);
     tabifyDockWidget(hand, scene);
     hand->raise();
-    QDockWidget* network = add_panel("network", translated("Panel", "Network"), new NetworkPanel(app_, actions_, this),
-                                     Qt::BottomDockWidgetArea);
+    QDockWidget* network = add_panel("network", translated("Panel", "Network"),
+                                     new NetworkPanel(app_, actions_, this), Qt::BottomDockWidgetArea);
     QDockWidget* messages = add_panel("messages", translated("Panel", "Messages"),
                                       new MessagePanel(app_, this), Qt::BottomDockWidgetArea);
     tabifyDockWidget(network, messages);
@@ -379,10 +378,17 @@ void Window::lay_out() {
             if (dock(name)) tabifyDockWidget(dock("values"), dock(name));
         dock("programmer")->raise();
         resizeDocks({list}, {column_px}, Qt::Horizontal);
-        resizeDocks({list, dock("programmer")}, {height() * 4 / 10, height() * 5 / 10}, Qt::Vertical);
+        share_column();
     } else {
         resizeDocks({list, dock("programmer")}, {240, 260}, Qt::Horizontal);
     }
+}
+
+// The list of fixtures and what lies below it.
+void Window::share_column() {
+    auto* const below = findChild<QDockWidget*>("programmer");
+    if (width() < kTwoColumnsFrom_px)
+        resizeDocks({docks_.front(), below}, {height() * 4 / 10, height() * 5 / 10}, Qt::Vertical);
 }
 
 // Panels round a picture that is not there help nobody.
@@ -399,6 +405,8 @@ void Window::end_waiting() {
     for (QDockWidget* const one : docks_waiting_) one->show();
     for (QDockWidget* const one : docks_waiting_)
         if (one->objectName() == "programmer") one->raise();
+    // Columns that were hidden come back with other shares.
+    if (!docks_waiting_.empty() && has_first_layout_) share_column();
     docks_waiting_.clear();
     if (!isFullScreen()) transport_->show();
 }
@@ -422,7 +430,7 @@ void Window::say_done(const Action& action) {
     if (action.name == "save")
         toast_->say(translated("Notice", "Saved: %1")
                         .arg(QString::fromStdString(app_.show()->file.filename().string())));
-    else if (kSays.contains(action.name))
+    else if (kSays.contains(action.name) && !app_.undo_stack().undoText().isEmpty())
         toast_->say(app_.undo_stack().undoText(), [this] { actions_.choose("undo"); });
 }
 
@@ -496,7 +504,39 @@ void Window::say(const QString& words, int for_ms) {
     statusBar()->setToolTip(what);
 }
 
+// Whether it asks, because something is not saved. What is kept nobody sees, so it is said.
+bool Window::asks_to_close() {
+    if (!document_.is_changed()) return false;
+    auto* const box = new QMessageBox(QMessageBox::NoIcon, "Ghostlight",
+                                      translated("Window", "'%1' has changes that are not saved.")
+                                          .arg(QString::fromStdString(app_.show()->file.filename().string())),
+                                      QMessageBox::NoButton, this);
+    box->setTextFormat(Qt::PlainText);
+    box->setInformativeText(translated(
+        "Window", "Closed without saving they are kept, and offered when the show is opened again."));
+    const auto closes = [this] { QMetaObject::invokeMethod(this, &QWidget::close, Qt::QueuedConnection); };
+    QPushButton* const save = box->addButton(translated("Window", "Save and close"), QMessageBox::AcceptRole);
+    connect(save, &QPushButton::clicked, this, [this, closes] {
+        if (const Result<void> saved = document_.save(false); saved.ok())
+            closes();
+        else
+            actions_.complain(saved.error());
+    });
+    connect(box->addButton(translated("Window", "Close"), QMessageBox::DestructiveRole),
+            &QPushButton::clicked, this, closes);
+    box->setEscapeButton(box->addButton(translated("Window", "Cancel"), QMessageBox::RejectRole));
+    box->setDefaultButton(save);
+    box->setAttribute(Qt::WA_DeleteOnClose);
+    box->open();
+    return true;
+}
+
 void Window::closeEvent(QCloseEvent* event) {
+    // By the window manager; close() of a script, or of an answer, is not spontaneous.
+    if (event->spontaneous() && asks_to_close()) {
+        event->ignore();
+        return;
+    }
     if (const Result<void> kept = document_.keep(); !kept.ok() && !closes_anyway_) {
         Q_EMIT document_.keep_failed(
             translated("Notice", "Not closed, for changes are not saved and cannot be kept: %1")

@@ -61,7 +61,9 @@ private:
     void add_window_actions();
     void add_view_switches();
     void add_languages();
+    bool asks_to_close();
     void lay_out();
+    void share_column();
     void keep_low(QDockWidget& dock);
     void wait_for_show();
     void end_waiting();
@@ -104,6 +106,7 @@ private:
     LookPanel* look_list_ = nullptr;
     CuePanel* cue_table_ = nullptr;
     std::vector<QDockWidget*> docks_;
+    bool has_first_layout_ = false;           // not that of an earlier time
     std::vector<QDockWidget*> docks_waiting_; // shown with the first show
     std::set<const QDockWidget*> came_below_; // once, or more
     std::vector<bool> docks_shown_;           // before full screen

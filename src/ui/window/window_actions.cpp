@@ -109,6 +109,7 @@ void Window::add_window_actions() {
                   "[anyway]",
                   [this](const QStringList& words) -> Result<void> {
                       closes_anyway_ = words.value(0) == "anyway";
+                      if (actions_.is_by_hand() && !closes_anyway_ && asks_to_close()) return {};
                       if (!close())
                           return Error{"changes are saved nowhere: save a copy elsewhere, or close and lose "
                                        "them (in a script: quit anyway)",

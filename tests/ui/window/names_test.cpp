@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // What a screen reader says: every control of the window has a name. And Tab comes by every one of a panel.
+#include "disk/files.h"
+#include "show/show.h"
 #include "support/test_window.h"
 #include "ui/panels/plot_panel.h"
+#include "ui/widgets/plain_labels.h"
 #include "ui/window/window.h"
 
 #include <QAbstractButton>
@@ -9,11 +12,18 @@
 #include <QAbstractSpinBox>
 #include <QAccessible>
 #include <QComboBox>
+#include <QDialog>
 #include <QDockWidget>
 #include <QHeaderView>
+#include <QLabel>
 #include <QLineEdit>
 #include <QMenuBar>
+#include <QMessageBox>
 #include <QSlider>
+#include <QTemporaryDir>
+
+#include <filesystem>
+#include <utility>
 
 namespace ghost::ui {
 namespace {
@@ -26,33 +36,108 @@ bool is_control(const QWidget* widget) {
            qobject_cast<const QLineEdit*>(widget) || qobject_cast<const QSlider*>(widget);
 }
 
+// Of a window or dialog: how many controls, each of which has a name.
+int named_controls(const QWidget& top) {
+    int controls = 0;
+    for (QWidget* const widget : top.findChildren<QWidget*>()) {
+        // Inside of another control, or in its list, they speak for that.
+        if (!is_control(widget) || widget->window() != &top ||
+            (widget->parentWidget() && is_control(widget->parentWidget())))
+            continue;
+        ++controls;
+        QAccessibleInterface* const said = QAccessible::queryAccessibleInterface(widget);
+        if (!said) {
+            ADD_FAILURE() << widget->metaObject()->className();
+            continue;
+        }
+        QString path;
+        for (const QWidget* one = widget; one; one = one->parentWidget())
+            path += QString(one->metaObject()->className()) + " " + one->objectName() + " < ";
+        EXPECT_FALSE(said->text(QAccessible::Name).isEmpty()) << path.toStdString();
+        // Tab goes on to the next control, not through all cells of this one.
+        const auto* const table = qobject_cast<const QAbstractItemView*>(widget);
+        if (table && table->focusPolicy() != Qt::NoFocus) {
+            EXPECT_FALSE(table->tabKeyNavigation()) << path.toStdString();
+        }
+    }
+    return controls;
+}
+
 TEST(Names, every_control_has_one) {
     Link link;
     Window window(link,
                   WindowOptions{.demo = "assets/demo", .remembers = false, .width = 900, .height = 600});
     window.show();
-    link.opened.put(four_lamps());
+    Opened opened = four_lamps();
+    auto show = std::make_shared<scene::Show>(*opened.show);
+    show->folder = "test";
+    opened.show = show;
+    link.opened.put(std::move(opened));
     link.rig.put(four_lit());
     link.on_news();
     settle();
     window.app().select({0, 1});
     for (QDockWidget* const dock : window.findChildren<QDockWidget*>()) dock->show();
     settle();
-    int controls = 0;
-    for (QWidget* const widget : window.findChildren<QWidget*>()) {
-        // Inside of another control, or in its list, they speak for that.
-        if (!is_control(widget) || widget->window() != &window ||
-            (widget->parentWidget() && is_control(widget->parentWidget())))
-            continue;
-        ++controls;
-        QAccessibleInterface* const said = QAccessible::queryAccessibleInterface(widget);
-        ASSERT_TRUE(said);
-        QString path;
-        for (const QWidget* one = widget; one; one = one->parentWidget())
-            path += QString(one->metaObject()->className()) + " " + one->objectName() + " < ";
-        EXPECT_FALSE(said->text(QAccessible::Name).isEmpty()) << path.toStdString();
+    EXPECT_GT(named_controls(window), 60);
+    const std::pair<const char*, int> kDialogs[] = {{"paperwork", 10}, {"cue-book", 10}, {"about", 1}};
+    for (const auto& [name, least] : kDialogs) {
+        ASSERT_TRUE(window.actions().run(name).ok()) << name;
+        settle();
+        QWidget* dialog = nullptr;
+        for (QWidget* const one : QApplication::topLevelWidgets())
+            if (one->isVisible() && qobject_cast<QDialog*>(one)) dialog = one;
+        ASSERT_TRUE(dialog) << name;
+        EXPECT_GE(named_controls(*dialog), least) << name;
+        dialog->close();
+        settle();
     }
-    EXPECT_GT(controls, 60);
+}
+
+// A person who quits is asked what shall be with changes; a script is not, for what is not saved is kept.
+TEST(Closing, asks_where_something_is_not_saved) {
+    QTemporaryDir place;
+    const std::filesystem::path file = std::filesystem::path(place.path().toStdString()) / "show.toml";
+    ASSERT_TRUE(write_file_atomic(file, "[show]\nname = \"Test\"\n").ok());
+    Link link;
+    Window window(link, WindowOptions{.remembers = false, .width = 900, .height = 600});
+    window.show();
+    Opened opened = four_lamps();
+    auto show = std::make_shared<scene::Show>(*opened.show);
+    show->folder = file.parent_path();
+    show->file = file;
+    opened.show = show;
+    link.opened.put(std::move(opened));
+    link.rig.put(four_lit());
+    link.on_news();
+    settle();
+    window.actions().choose("haze 0.05");
+    settle();
+    ASSERT_TRUE(window.isWindowModified());
+    window.actions().choose("quit");
+    settle();
+    EXPECT_TRUE(window.isVisible());
+    auto* const box = window.findChild<QMessageBox*>();
+    ASSERT_TRUE(box);
+    for (QAbstractButton* const button : box->buttons())
+        if (box->buttonRole(button) == QMessageBox::AcceptRole) button->click();
+    settle();
+    EXPECT_FALSE(window.isVisible());
+    EXPECT_NE(read_text_file(file, 1 << 20)->find("[haze]"), std::string::npos);
+}
+
+// Tags are drawn, not shown.
+TEST(Names, about_is_words) {
+    Link link;
+    Window window(link, WindowOptions{.remembers = false, .width = 900, .height = 600});
+    qApp->installEventFilter(new PlainLabels(&window));
+    window.show();
+    ASSERT_TRUE(window.actions().run("about").ok());
+    settle();
+    auto* const about = window.findChild<QMessageBox*>();
+    ASSERT_TRUE(about && about->isVisible());
+    for (const QLabel* const label : about->findChildren<QLabel*>())
+        EXPECT_FALSE(label->textFormat() == Qt::PlainText && label->text().contains("<p>"));
 }
 
 // Down the panel, not criss-cross: each next one that can be typed to or pressed lies below the one before,
