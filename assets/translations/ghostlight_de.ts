@@ -5567,7 +5567,7 @@ Bitte den Namen des Ordners prüfen.</translation>
     </message>
     <message>
         <source>%1. A desk on this very machine has to send unicast to 127.0.0.1: multicast of QLC+ does not come back here. To tell them apart: where &apos;%2&apos; shows packets to an address of ours, to its broadcast or to 239.255, a firewall of this machine drops them; where it shows none at all, they do not get here: a cable, another VLAN, a switch that holds multicast back (IGMP snooping without a querier), or a desk that is silent</source>
-        <translation type="unfinished"></translation>
+        <translation>%1. Ein Pult auf ebendiesem Rechner muss Unicast an 127.0.0.1 senden: Multicast von QLC+ kommt hier nicht zurück. So unterscheidet man sie: wo &apos;%2&apos; Pakete an eine Adresse von uns, an deren Broadcast oder an 239.255 zeigt, verwirft sie eine Firewall dieses Rechners; wo es gar keine zeigt, kommen sie nicht bis hierher: ein Kabel, ein anderes VLAN, ein Switch, der Multicast zurückhält (IGMP-Snooping ohne Querier), oder ein Pult, das schweigt</translation>
     </message>
 </context>
 <context>
