@@ -64,9 +64,9 @@ struct Settings {
     // For kept visibility (render/haze/visibility.h). Which of it is made when hangs on which workgroup comes
     // first: 0, none, where two runs are to give the same bytes.
     std::uint64_t visibility_bytes = std::uint64_t{256} << 20;
-    std::uint32_t most_groups = 0;          // of a dispatch of many lights; 0: what the device has
-    std::uint32_t lights_per_dispatch = 0;  // 0: what suits the device; 1 or kLightsPerChunk (shared/push.h)
-    bool reuse = true;                      // false: every light is drawn in every frame
+    std::uint32_t most_groups = 0;         // of a dispatch of many lights; 0: what the device has
+    std::uint32_t lights_per_dispatch = 0; // 0: what suits the device; 1 or kLightsPerChunk (shared/push.h)
+    bool reuse = true;                     // false: every light is drawn in every frame
     bool coarse = false; // of a G-buffer, gate: lights at half its sides (render/relight/coarse_light.h)
 };
 
