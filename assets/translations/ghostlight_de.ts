@@ -2671,6 +2671,10 @@
         <translation>Im Browser öffnen</translation>
     </message>
     <message>
+        <source>Open the folder</source>
+        <translation>Ordner öffnen</translation>
+    </message>
+    <message>
         <source>Plan and section</source>
         <translation>Grundriss und Schnitt</translation>
     </message>

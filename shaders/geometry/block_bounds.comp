@@ -29,7 +29,8 @@ void main() {
     Box box = Box(filled ? place : vec3(kNowhere), filled ? place : vec3(-kNowhere), filled ? length(place - view.eye_m) : 0.0);
     box = box_of_group(box);
     vec3 centre = box.low.x <= box.high.x ? (box.low + box.high) * 0.5 : vec3(0.0);
-    float radius = most_of_group(filled ? length(place - centre) : -1.0);
+    float reach_m = kBlockReach_px * 2.0 * length(view.right) / float(view.width) * length(place - view.eye_m);
+    float radius = most_of_group(filled ? length(place - centre) + reach_m : -1.0);
     if (gl_LocalInvocationIndex == 0u) {
         uint block = p.tiles + listed;
         tile_bounds[block * 2u] = vec4(centre, radius);

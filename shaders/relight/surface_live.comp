@@ -40,12 +40,15 @@ layout(constant_id = 5) const bool kKeeps = true;        // shadows are made bef
 #define KEEPS 14
 #include "common/visibility.glsl"
 
+const float kNowhere_m = 1e9; // farther than anything
+
 struct Fragment {
     vec3 position_m;
     vec3 normal;
     vec3 facet;
     vec3 to_eye;
     float area_m2; // that the pixel shows
+    float reach_m; // how far from a beam's rim it still gets light
     Brdf brdf;
 };
 
@@ -91,7 +94,10 @@ vec3 shown(Light light, Keep keep, Fragment f, Haze haze, uint unit) {
     vec3 light_cd = beam_cd *
                     (haze_transmittance(haze, way_from_lens_m(light, q)) * attenuation_factor(air.attenuation, distance_m) / distance2);
     vec3 value = light_cd * (kIlluminance ? vec3(max(dot(f.normal, to_light), 0.0)) : brdf_times_cosine(f.brdf, f.normal, f.to_eye, to_light));
-    value = dot(f.facet, to_light) > 0.0 ? value : vec3(0.0);
+    float k = light.tan_field * light.cut_radius;
+    float reached = q.z + f.reach_m * sqrt(1.0 + k * k) / k; // as in cull.comp
+    bool meets = reached > 0.0 && dot(q.xy, q.xy) < k * k * reached * reached;
+    value = meets && dot(f.facet, to_light) > 0.0 ? value : vec3(0.0);
     if (kShadows)
         value *= kept_fraction(light, keep, f, from_map, max(max(value.r, value.g), value.b) > 0.0, unit);
     return value;
@@ -119,6 +125,7 @@ void draw(uint tile) {
     float pixel_m = 2.0 * length(view.right) / float(view.width) * eye_m;
     // Seen at a low angle it is long and narrow: a round blur twice as wide as it is narrow keeps what runs along it.
     f.area_m2 = place.w * pixel_m * pixel_m / max(dot(f.facet, f.to_eye), 0.25);
+    f.reach_m = is_extra ? kExtraReach_px * pixel_m : kNowhere_m;
     f.brdf = Brdf(layer.rgb, layer.a, mirror.rgb, mirror.a);
 
     vec3 sum = vec3(0.0);

@@ -11,6 +11,11 @@ SHARED_BEGIN
 SHARED_CONST float kNear_m = 0.05f;
 SHARED_CONST uint kSamples = 4u; // of a pixel
 
+// Which extra fragments share a block hangs on which tile was gathered first. So that the light on one does not, it ends
+// this far beyond a beam's rim, and the bounds of blocks reach a bit further.
+SHARED_CONST float kExtraReach_px = 2.0f;
+SHARED_CONST float kBlockReach_px = 2.1f;
+
 // How a mesh covers its samples, as scene::AlphaMode.
 SHARED_CONST uint kOpaque = 0u;
 SHARED_CONST uint kMask = 1u;

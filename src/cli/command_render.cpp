@@ -48,6 +48,7 @@ Result<bool> check_usage(RenderArguments& arguments) {
     if (arguments.has_ev100) arguments.session.ev100 = arguments.ev100;
     arguments.session.shadows = !arguments.no_shadows;
     arguments.session.maps_in_background = arguments.live_input;
+    arguments.session.repeatable = !arguments.live_input && arguments.hold_fps == 0;
     arguments.session.live =
         arguments.session.live || !arguments.eye_m.empty() || !arguments.session.travel.empty() ||
         arguments.session.bounce.value_or(scene::BounceDetail::off) != scene::BounceDetail::off;

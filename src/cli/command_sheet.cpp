@@ -199,7 +199,7 @@ void add_sheet(CLI::App& app, int& exit_code) {
             }
             return;
         }
-        a->session.live = true;
+        a->session.live = a->session.repeatable = true;
         a->session.width = a->width;
         a->session.height = a->height;
         if (const Result<void> done = draw_sheet(*a); !done.ok()) {

@@ -2,6 +2,7 @@
 // Who comes in, what they say, and how they leave; what they get: server_offers.cpp.
 #include "web/private/server_loop.h"
 
+#include "base/check.h"
 #include "base/log.h"
 #include "net/socket.h"
 #include "show/show.h"
@@ -18,6 +19,7 @@ constexpr double kHead_s = 5; // for a whole request
 constexpr double kSilence_s =
     120; // of a viewer; hidden tabs say little, and the system answers pings for them
 constexpr double kAskIfThereEvery_s = 30;
+constexpr int kMostAtOnce = 32; // who come in a round: viewers do not wait for a flood
 constexpr auto kWatchedRound = 25ms, kIdleRound = 500ms;
 
 std::string_view text_of(const std::vector<std::uint8_t>& bytes, std::size_t from = 0) {
@@ -96,15 +98,30 @@ void ServerLoop::wait() {
 }
 
 void ServerLoop::accept() {
-    while (std::unique_ptr<dmx::TcpStream> stream = listener_.accept()) {
-        Connection connection(std::move(stream), now_s());
-        if (guests_.size() < kMostViewers + kMostOthers) {
-            guests_.push_back({std::move(connection), nullptr});
-            continue;
-        }
-        connection.put(answer_text(refusal(503)));
-        (void)connection.send();
+    for (int k = 0; k < kMostAtOnce; ++k) {
+        std::unique_ptr<dmx::TcpStream> stream = listener_.accept();
+        if (!stream) return;
+        if (guests_.size() == kMostViewers + kMostOthers) make_room();
+        guests_.push_back({Connection(std::move(stream), now_s()), nullptr});
     }
+}
+
+// So that nobody keeps all others out by connections that say nothing: of those who are no viewers, the
+// oldest from the address that has most of them is refused.
+void ServerLoop::make_room() {
+    const auto count_of = [&](const Guest& guest) {
+        return std::count_if(guests_.begin(), guests_.end(), [&](const Guest& other) {
+            return !other.viewer && other.connection.stream().peer() == guest.connection.stream().peer();
+        });
+    };
+    auto leaves = guests_.end();
+    for (auto guest = guests_.begin(); guest != guests_.end(); ++guest)
+        if (!guest->viewer && (leaves == guests_.end() || count_of(*guest) > count_of(*leaves)))
+            leaves = guest;
+    CHECK(leaves != guests_.end()); // viewers are fewer than guests
+    leaves->connection.put(answer_text(refusal(503)));
+    (void)leaves->connection.send();
+    guests_.erase(leaves);
 }
 
 bool ServerLoop::serve(Guest& guest) {

@@ -275,7 +275,7 @@ Result<DrawnBook> BookDrawing::draw(const fs::path& folder, const BookFrame* giv
 Result<DrawnBook> draw_book(const BookOptions& options, const fs::path& folder, const BookFrame* frame) {
     catch_interrupts();
     BookOptions asked = options;
-    asked.session.live = true;
+    asked.session.live = asked.session.repeatable = true;
     asked.session.width = options.width;
     asked.session.height = options.height;
     TRY(const std::unique_ptr<BookDrawing> drawing, BookDrawing::open(asked));

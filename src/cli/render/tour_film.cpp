@@ -12,7 +12,7 @@ Result<void> draw_tour_film(const SessionOptions& session_options, const TourFil
                             const std::filesystem::path& file) {
     RenderArguments arguments;
     arguments.session = session_options;
-    arguments.session.live = true;
+    arguments.session.live = arguments.session.repeatable = true;
     arguments.session.plays_recording = true;
     arguments.out = file.string();
     arguments.from_s = film.from_s;

@@ -210,6 +210,7 @@ render::Settings draw_settings(const Atmosphere& air, const scene::Camera& camer
     settings.auto_exposure = camera.auto_exposure && !options.ev100;
     settings.tone = options.tone;
     settings.image_memory_bytes = options.image_memory_bytes;
+    if (options.repeatable) settings.visibility_bytes = 0;
     return settings;
 }
 

@@ -51,6 +51,7 @@ struct SessionOptions {
     bool shadows = true;              // live only
     bool maps_in_background = false;  // live only: LiveOptions
     bool keep_hidden = false;         // live only: LiveOptions
+    bool repeatable = false;          // live only: the same bytes in each run (render::Settings)
     bool parks = false;               // live only: Session::look_from
     // Instead of the show's. Where light bounces the picture is live, unless its passes were rendered
     // elsewhere.

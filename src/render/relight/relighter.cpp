@@ -131,7 +131,7 @@ Relighter::Relighter(const gpu::Device& device, PassImages passes, const GBuffer
     // In one frame every light is drawn at most three times, into an image to keep, into the frame and where
     // that is patched; each draw begins a chunk.
     const std::uint64_t draws = kMostDraws * static_cast<std::uint64_t>(light_count) + shared::kBeamClasses;
-    if (g_buffer && distances)
+    if (g_buffer && distances && settings.visibility_bytes > 0)
         visibility_ = std::make_unique<Visibility>(
             device, fragments(), rooms(), distances->count(), draws,
             std::min(settings.visibility_bytes, device.memory().left_bytes() / kShareOfMemory));

@@ -61,11 +61,12 @@ struct Settings {
     bool illuminance =
         false; // of a G-buffer: lux on its surfaces instead of cd/m^2, and nothing without lights
     std::uint64_t image_memory_bytes = std::uint64_t{1} << 30; // for kept images of the light tree
-    std::uint64_t visibility_bytes = std::uint64_t{256}
-                                     << 20; // for kept visibility (render/haze/visibility.h)
-    std::uint32_t most_groups = 0;          // of a dispatch of many lights; 0: what the device has
-    std::uint32_t lights_per_dispatch = 0;  // 0: what suits the device; 1 or kLightsPerChunk (shared/push.h)
-    bool reuse = true;                      // false: every light is drawn in every frame
+    // For kept visibility (render/haze/visibility.h). Which of it is made when hangs on which workgroup comes
+    // first: 0, none, where two runs are to give the same bytes.
+    std::uint64_t visibility_bytes = std::uint64_t{256} << 20;
+    std::uint32_t most_groups = 0;         // of a dispatch of many lights; 0: what the device has
+    std::uint32_t lights_per_dispatch = 0; // 0: what suits the device; 1 or kLightsPerChunk (shared/push.h)
+    bool reuse = true;                     // false: every light is drawn in every frame
     bool coarse = false; // of a G-buffer, gate: lights at half its sides (render/relight/coarse_light.h)
 };
 
@@ -180,7 +181,7 @@ private:
     std::unique_ptr<CoarseLight> coarse_; // or null
     int slot_count_;
     LightTree tree_;
-    std::unique_ptr<Visibility> visibility_; // null: from passes, or without shadows
+    std::unique_ptr<Visibility> visibility_; // null: from passes, without shadows, or none is kept
     bool pages_full_ = false;
     bool flies_ = false;
     bool owes_ = false; // the last frame has parts that are stale

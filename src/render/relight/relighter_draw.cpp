@@ -248,7 +248,7 @@ void Relighter::record_surfaces(const LightChunk& chunk, std::uint64_t keeps_off
         }
         commands_.begin_span("surfaces");
         gpu::LateProgram& direct = direct_surface_[chunk.beam_class];
-        const bool all_direct = visibility_ && !keeps_visibility();
+        const bool all_direct = distances_ && !keeps_visibility();
         gpu::LateProgram& listed = all_direct ? direct : (thin ? thin_surface_ : surface_)[chunk.beam_class];
         commands_.dispatch_indirect(listed.get(), push, bindings, groups_, chunk.surface_groups(push.batch));
         if (keeps_visibility() && batch_size_ == 1) {

@@ -8,6 +8,7 @@
 #include <QDir>
 #include <QFile>
 #include <QFileDialog>
+#include <QFontMetrics>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QImageReader>
@@ -24,7 +25,7 @@ namespace {
 
 // Of a preview: the whole of it is in the folder.
 constexpr qint64 kMostTableBytes = 256 * 1024, kMostBookBytes = 4 * 1024 * 1024;
-constexpr int kMostRowsShown = 200, kMostPictures = 24;
+constexpr int kMostRowsShown = 200, kMostPictures = 24, kMostChangesShown = 2;
 constexpr QSize kPreview(240, 135);
 
 QComboBox* choice(const QString& name, std::initializer_list<std::pair<const char*, const char*>> words,
@@ -65,6 +66,19 @@ std::vector<QStringList> rows_of(const QString& csv) {
 QByteArray beginning_of(const QString& path, qint64 most) {
     QFile file(path);
     return file.open(QIODevice::ReadOnly) ? file.read(most) : QByteArray();
+}
+
+// Number and name of an entry, and the first two of its changes.
+QString words_of(const QJsonObject& entry, const QFontMetrics& font) {
+    const QString number = entry["number"].toString();
+    QStringList lines{(number.isEmpty() ? "" : number + ". ") + entry["name"].toString()};
+    for (const QJsonValue& change : entry["changes"].toArray()) {
+        if (lines.size() > kMostChangesShown) break;
+        const QString fixtures = change["fixtures"].toVariant().toStringList().join(", ");
+        lines << (fixtures.isEmpty() ? "" : fixtures + ": ") + change["what"].toString();
+    }
+    for (QString& line : lines) line = font.elidedText(line, Qt::ElideRight, kPreview.width());
+    return lines.join('\n');
 }
 
 } // namespace
@@ -133,8 +147,11 @@ PrintDialog::PrintDialog(What what, AppModel& app, Actions& actions, QWidget* pa
     connect(cancel_, &QPushButton::clicked, this, [this] { app_.jobs().cancel(job_); });
     connect(open_, &QPushButton::clicked, this,
             [this] { QDesktopServices::openUrl(QUrl::fromLocalFile(QDir(made_).filePath("index.html"))); });
+    open_folder_ = new QPushButton(translated("Print", "Open the folder"), this);
+    connect(open_folder_, &QPushButton::clicked, this,
+            [this] { QDesktopServices::openUrl(QUrl::fromLocalFile(made_)); });
     auto* buttons = new QHBoxLayout;
-    for (QPushButton* button : {make_, cancel_, open_}) buttons->addWidget(button);
+    for (QPushButton* button : {make_, cancel_, open_, open_folder_}) buttons->addWidget(button);
     auto* left = new QVBoxLayout;
     left->addLayout(form);
     left->addStretch(1);
@@ -302,6 +319,7 @@ void PrintDialog::follow() {
     cancel_->setEnabled(runs && !job->is_given_up);
     bar_->setVisible(runs);
     open_->setEnabled(is_done);
+    open_folder_->setEnabled(is_done);
     if (job == jobs.end()) return;
     bar_->setValue(static_cast<int>(1000 * job->share));
     QString words = job->is_given_up && runs ? translated("Jobs", "stopping")
@@ -347,8 +365,8 @@ void PrintDialog::show_pictures() {
         const QString file = entry["pictures"].toArray().first().toObject()["file"].toString();
         QImageReader reader(QDir(made_).filePath(file));
         reader.setScaledSize(reader.size().scaled(kPreview, Qt::KeepAspectRatio));
-        pictures_->addItem(
-            new QListWidgetItem(QIcon(QPixmap::fromImage(reader.read())), entry["name"].toString()));
+        pictures_->addItem(new QListWidgetItem(QIcon(QPixmap::fromImage(reader.read())),
+                                               words_of(entry.toObject(), pictures_->fontMetrics())));
     }
 }
 

@@ -54,7 +54,7 @@ private:
     QCheckBox *pdf_, *plan_ = nullptr, *focus_ = nullptr;
     QLabel* said_;
     QProgressBar* bar_;
-    QPushButton *make_, *cancel_, *open_;
+    QPushButton *make_, *cancel_, *open_, *open_folder_;
     QComboBox* tables_ = nullptr;
     QTableWidget* table_ = nullptr;
     QListWidget* pictures_ = nullptr;

@@ -42,6 +42,7 @@ private:
     static double now_s() { return steady_now_s(); }
     void wait();
     void accept();
+    void make_room();
     // False: it is gone.
     bool serve(Guest& guest);
     void read_request(Guest& guest);
