@@ -11,7 +11,6 @@ import json
 import os
 import pathlib
 import shutil
-import signal
 import subprocess
 import sys
 import tempfile
@@ -25,6 +24,7 @@ import alike  # noqa: E402
 import real_desks  # noqa: E402
 from desk_mistakes import DESK_MISTAKES, DESK_WELL  # noqa: E402
 from mistakes import MISTAKES, STANDARD, WELL, sacn  # noqa: E402
+from two_machines import TwoMachines  # noqa: E402
 
 LANES = 10
 ALIKE = {"cable", "output_off", "wrong_interface", "igmp", "sacn_one_off", "artnet_one_off", "sacn_elsewhere", "blind", "low_priority", "two_desks",
@@ -44,41 +44,14 @@ time.sleep(600)
 LAMP = '[[fixture]]\nname = "{}"\ngdtf = "{}"\nuniverse = {}\naddress = {}\nposition_m = [0, 4, 6]\n'
 
 
-def ip(*words):
-    subprocess.run(["ip", *words], check=True, capture_output=True, text=True, timeout=20)
-
-
-class Stage:
-    """A desk and our machine, each in a namespace, a cable between them, and a second card of ours with a cable to nowhere."""
+class Stage(TwoMachines):
+    """The show of a mistake, its senders, and what looks on."""
 
     def __init__(self, folder, number, setup):
-        self.folder, self.setup = pathlib.Path(folder), {**STANDARD, **setup}
-        self.desk, self.vis = f"gl_d{os.getpid()}_{number}", f"gl_v{os.getpid()}_{number}"
-        self.processes = []
-        for namespace in (self.desk, self.vis):
-            ip("netns", "add", namespace)
-            ip("-n", namespace, "link", "set", "lo", "up")
-        ip("-n", self.desk, "link", "add", "br0", "type", "bridge", "mcast_snooping", "0")
-        for name, address in (("net0", "10.93.0.2"), ("net1", "10.94.0.2")):
-            ip("-n", self.desk, "link", "add", f"to_{name}", "type", "veth", "peer", "name", name, "netns", self.vis)
-            ip("-n", self.desk, "link", "set", f"to_{name}", "up")
-            self.command(self.vis, "sysctl", "-qw", f"net.ipv4.conf.{name}.rp_filter=0")
-            ip("-n", self.vis, "addr", "add", f"{address}/24", "brd", "+", "dev", name)
-            ip("-n", self.vis, "link", "set", name, "up")
-        ip("-n", self.desk, "link", "set", "to_net0", "master", "br0")
-        self.command(self.vis, "sysctl", "-qw", "net.ipv4.conf.all.rp_filter=0")
-        ip("-n", self.desk, "link", "set", "br0", "up")
-        ip("-n", self.desk, "addr", "add", "10.93.0.1/24", "brd", "+", "dev", "br0")
-        for words in self.setup["desk"]:
-            ip("-n", self.desk, *words.split())
-        for words in self.setup["vis"]:
-            ip("-n", self.vis, *words.split())
+        super().__init__(folder, number, {**STANDARD, **setup})
         if self.setup["firewall"] and shutil.which("nft"):
             self.drop_at_firewall()
         self.write_show()
-
-    def command(self, namespace, *words):
-        subprocess.run(["ip", "netns", "exec", namespace, *words], check=True, capture_output=True, text=True, timeout=20)
 
     def drop_at_firewall(self):
         self.command(self.vis, "nft", "add table ip f; add chain ip f c { type filter hook input priority 0; }; "
@@ -98,11 +71,6 @@ class Stage:
             gdtf = SOURCE / "assets/fixtures" / (self.setup["gdtf"] or f"Vari-Lite@VL2500_{kind[0] if kind else 'Spot'}.gdtf")
             toml += LAMP.format(name, gdtf, universe, address)
         (self.show / "show.toml").write_text(toml + self.setup["toml"])
-
-    def start(self, namespace, *words, **more):
-        process = subprocess.Popen(["ip", "netns", "exec", namespace, *map(str, words)], text=True, start_new_session=True, **more)
-        self.processes.append(process)
-        return process
 
     def send(self):
         real_desks.start(self)
@@ -154,14 +122,6 @@ class Stage:
         said, errors = self.begin_explain("--json").communicate(timeout=LIMIT_S)
         assert said, errors
         return json.loads(said)
-
-    def end(self):
-        for process in self.processes:
-            if process.poll() is None:
-                os.killpg(process.pid, signal.SIGKILL)
-            process.wait()
-        for namespace in (self.desk, self.vis):
-            subprocess.run(["ip", "netns", "del", namespace], capture_output=True)
 
 
 def problems(report):
