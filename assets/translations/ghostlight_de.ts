@@ -3922,8 +3922,8 @@ Bitte den Namen des Ordners prüfen.</translation>
         <translation>%1 sendet %2, aber es kommt auf %3 an, und gehört wird nur auf %4: mit --interface %5 starten oder ohne --interface</translation>
     </message>
     <message>
-        <source>%1 announces %2, and none of it arrives here: either it sends them by unicast to other addresses than ours (its output page says so), or a switch holds this multicast back (IGMP snooping without a querier). Unicast to %3 gets past both</source>
-        <translation>%1 kündigt %2 an, und nichts davon kommt hier an: Entweder geht es per Unicast an andere Adressen als unsere (das sagt seine Ausgabeseite), oder ein Switch hält diesen Multicast zurück (IGMP-Snooping ohne Querier). Unicast an %3 umgeht beides</translation>
+        <source>%1 announces %2, and none of it arrives here: either it sends them by unicast to other addresses than ours (its output page says so), or a switch holds this multicast back (IGMP snooping without a querier): unicast to %3 gets past both; or it announces what it does not send (its output is off)</source>
+        <translation>%1 kündigt %2 an, und nichts davon kommt hier an: entweder sendet es per Unicast an andere Adressen als unsere (seine Ausgangsseite sagt es), oder ein Switch hält dieses Multicast zurück (IGMP-Snooping ohne Querier): Unicast an %3 kommt an beidem vorbei; oder es kündigt an, was es nicht sendet (sein Ausgang ist aus)</translation>
     </message>
     <message>
         <source>off by one? %1 comes for %2, fixtures are on %3: %4</source>
@@ -3958,12 +3958,36 @@ Bitte den Namen des Ordners prüfen.</translation>
         <translation>Pakete für %1 kommen an (%2), dort ist nichts gepatcht</translation>
     </message>
     <message>
-        <source>%1 fixtures on %2 (&apos;%3&apos;, ...), nothing arrives there</source>
-        <translation>%1 Geräte auf %2 (&apos;%3&apos;, ...), dort kommt nichts an</translation>
+        <source>%1 fixtures on %2 (&apos;%3&apos;, ...), no levels arrive there</source>
+        <translation>%1 Geräte auf %2 (&apos;%3&apos;, ...), dort kommen keine Werte an</translation>
     </message>
     <message>
-        <source>%1 fixture on %2 (&apos;%3&apos;), nothing arrives there</source>
-        <translation>%1 Gerät auf %2 (&apos;%3&apos;), dort kommt nichts an</translation>
+        <source>%1 fixture on %2 (&apos;%3&apos;), no levels arrive there</source>
+        <translation>%1 Gerät auf %2 (&apos;%3&apos;), dort kommen keine Werte an</translation>
+    </message>
+    <message>
+        <source>%1; packets arrive that cannot be read (%2)</source>
+        <translation>%1; es kommen Pakete an, die nicht zu lesen sind (%2)</translation>
+    </message>
+    <message>
+        <source>nothing comes for %1 any more, since %2: black (--on-loss). Packets arrive that cannot be read (%3): if they are its desk&apos;s, that has to be mended</source>
+        <translation>für %1 kommt seit %2 nichts mehr: schwarz (--on-loss). Es kommen Pakete an, die nicht zu lesen sind (%3): sind es die seines Pults, muss das in Ordnung gebracht werden</translation>
+    </message>
+    <message>
+        <source>nothing comes for %1 any more, since %2: the last look is held. Packets arrive that cannot be read (%3): if they are its desk&apos;s, that has to be mended</source>
+        <translation>für %1 kommt seit %2 nichts mehr: der letzte Stand wird gehalten. Es kommen Pakete an, die nicht zu lesen sind (%3): sind es die seines Pults, muss das in Ordnung gebracht werden</translation>
+    </message>
+    <message>
+        <source>most packets of %1 on %2 come after a gap in their numbers: it counts several universes in one row, or as many get lost on the way</source>
+        <translation>die meisten Pakete von %1 auf %2 kommen nach einer Lücke in ihren Nummern: es zählt mehrere Universen in einer Reihe, oder so viele gehen unterwegs verloren</translation>
+    </message>
+    <message>
+        <source>%1. Art-Net is not listened for (--protocols)</source>
+        <translation>%1. Auf Art-Net wird nicht gehört (--protocols)</translation>
+    </message>
+    <message>
+        <source>%1. sACN is not listened for (--protocols)</source>
+        <translation>%1. Auf sACN wird nicht gehört (--protocols)</translation>
     </message>
     <message>
         <source>nothing comes for %1 any more, since %2: black (--on-loss). Its desk has stopped, or something on the way lets nothing through any more: a cable, a firewall, or a switch that prunes multicast after minutes (IGMP snooping without a querier)</source>
@@ -4034,8 +4058,8 @@ Bitte den Namen des Ordners prüfen.</translation>
         <translation>Werte von %1 auf %2 warten auf ein Synchronisationspaket, das nicht kommt; nach höchstens 10 s gelten sie ohne</translation>
     </message>
     <message>
-        <source>%1 sends Art-Net from another network than ours (%2): its broadcasts arrive, unicast and our answers may not; give this machine an address in its network</source>
-        <translation>%1 sendet Art-Net aus einem anderen Netzwerk als unserem (%2): Seine Broadcasts kommen an, Unicast und unsere Antworten vielleicht nicht; diesem Rechner eine Adresse in dessen Netzwerk geben</translation>
+        <source>%1 sends Art-Net from another network than ours (%2), by a router or because the addresses do not fit: without a router its unicast and our answers do not arrive, and this machine needs an address in its network</source>
+        <translation>%1 sendet Art-Net aus einem anderen Netz als unserem (%2), über einen Router oder weil die Adressen nicht passen: ohne Router kommen sein Unicast und unsere Antworten nicht an, und dieser Rechner braucht eine Adresse in seinem Netz</translation>
     </message>
     <message>
         <source>%1 sends %2 to the multicast group of another universe; the levels are used</source>
@@ -5398,12 +5422,12 @@ Bitte den Namen des Ordners prüfen.</translation>
         <translation>%1 kommt mit %2, und %3 (%4) sind dahinter gepatcht: am Pult nicht gepatcht?</translation>
     </message>
     <message>
-        <source>%1. %2 has a cable and no IPv4 address, so that no Art-Net comes in there and sACN by IPv6 alone (no DHCP server answers, perhaps): give it an address in the desk&apos;s network</source>
-        <translation>%1. %2 hat ein Kabel und keine IPv4-Adresse, sodass dort kein Art-Net ankommt und sACN nur über IPv6 (vielleicht antwortet kein DHCP-Server): ihr eine Adresse im Netz des Pults geben</translation>
+        <source>%1. %2 has a cable and no IPv4 address (no DHCP server answers, perhaps): for Art-Net, and for sACN by IPv4, it needs one in the desk&apos;s network</source>
+        <translation>%1. %2 hat ein Kabel und keine IPv4-Adresse (vielleicht antwortet kein DHCP-Server): für Art-Net, und für sACN über IPv4, braucht sie eine im Netz des Pults</translation>
     </message>
     <message>
-        <source>%1. %2 gave itself %3, as a machine does that no DHCP server answers: it meets a desk in 169.254.x.x alone</source>
-        <translation>%1. %2 hat sich selbst %3 gegeben, wie ein Rechner es tut, dem kein DHCP-Server antwortet: so trifft sie nur ein Pult in 169.254.x.x</translation>
+        <source>%1. %2 gave itself %3, as a machine does that no DHCP server answers: for Art-Net the desk has to be in 169.254.x.x, too</source>
+        <translation>%1. %2 hat sich selbst %3 gegeben, wie ein Rechner es tut, dem kein DHCP-Server antwortet: für Art-Net muss auch das Pult in 169.254.x.x sein</translation>
     </message>
     <message>
         <source>a second attribute named &apos;%1&apos;, links mean the first</source>

@@ -156,6 +156,7 @@ int send(PlayOptions options) {
         return 0;
     }
 
+    (void)player.at(options.from_s); // reading the file's first part takes longer than a look lasts
     const auto start = Clock::now();
     const double length_s = end_s - options.from_s; // of the recording; playing it takes that by the speed
     const bool bar = !options.quiet && !options.loop && Progress::style_for_stderr() == Progress::Style::bar;

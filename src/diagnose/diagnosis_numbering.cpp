@@ -10,12 +10,19 @@ namespace ghost::scene::diagnosed {
 namespace {
 
 constexpr double kOften_hz = 3.0;   // a sender that starts anew steps back once
+constexpr double kStill_hz = 3.0;   // looks that get through where a number stands still
 constexpr double kSharePart = 0.1;  // of the packets that step back, where two senders take turns
 constexpr double kMostlyLate = 4.0; // late ones for each in time; a network that brings all twice has one
 constexpr double kManyLate_hz = 5.0;
 
 bool is_mostly_late(const dmx::SourceStatus& source) {
-    return source.late_hz >= kManyLate_hz && source.late_hz > kMostlyLate * source.rate_hz;
+    return source.late_hz >= kManyLate_hz && source.late_hz > kMostlyLate * source.rate_hz &&
+           source.rate_hz < kStill_hz;
+}
+
+// Its numbers jump back and forth, and its looks with them.
+bool is_two_in_one(const dmx::SourceStatus& source) {
+    return source.back_hz >= kOften_hz && source.back_hz >= kSharePart * source.rate_hz;
 }
 
 std::string rate_text(double rate_hz) {
@@ -24,13 +31,9 @@ std::string rate_text(double rate_hz) {
 
 } // namespace
 
-bool is_two_in_one(const dmx::SourceStatus& source) {
-    return source.back_hz >= kOften_hz && source.back_hz >= kSharePart * source.rate_hz;
-}
-
 void add_numbering(const dmx::Statistics& statistics, Sentences& out) {
     std::map<std::pair<std::string, std::string>, std::set<int>> doubles; // who, and where else
-    std::map<std::string, std::set<int>> shared, late;
+    std::map<std::string, std::set<int>> shared, late, gaps;
     std::map<std::string, std::pair<double, double>> rates_hz; // of the late ones: late, all
     for (const dmx::SourceStatus& source : statistics.sources) {
         const std::string who = source_text(source);
@@ -43,7 +46,8 @@ void add_numbering(const dmx::Statistics& statistics, Sentences& out) {
             auto& [of_late, of_all] = rates_hz[who];
             of_late = std::max(of_late, source.late_hz);
             of_all = std::max(of_all, source.late_hz + source.rate_hz);
-        }
+        } else if (source.has_gaps)
+            gaps[who].insert(source.universe);
     }
     for (const auto& [who, universes] : doubles)
         out.push_back(problem(Trouble::same_identity,
@@ -60,6 +64,12 @@ void add_numbering(const dmx::Statistics& statistics, Sentences& out) {
                                   ": two programs send there as one, and now the look of this shows, now of "
                                   "that. Close one, or give it an identity (CID) of its own",
                               universes));
+    for (const auto& [who, universes] : gaps)
+        out.push_back(note(Trouble::numbering,
+                           "most packets of " + who + " on " + universes_text(universes) +
+                               " come after a gap in their numbers: it counts several universes in one row, "
+                               "or as many get lost on the way",
+                           universes));
     for (const auto& [who, universes] : late)
         out.push_back(
             problem(Trouble::numbering,

@@ -117,17 +117,17 @@ std::string unaddressed_text(const dmx::Statistics& statistics) {
     const std::string& chosen = statistics.listening.interface;
     std::string text;
     for (const dmx::NetInterface& one : statistics.interfaces) {
-        if (one.loopback || !one.running ||
+        if (one.loopback || one.bridged || !one.running ||
             (!chosen.empty() && !is_ours(one, statistics.listening) && one.name != chosen))
             continue;
         if (one.address == 0)
             text += ". " + one.name +
-                    " has a cable and no IPv4 address, so that no Art-Net comes in there and sACN by IPv6 "
-                    "alone (no DHCP server answers, perhaps): give it an address in the desk's network";
+                    " has a cable and no IPv4 address (no DHCP server answers, perhaps): for Art-Net, and "
+                    "for sACN by IPv4, it needs one in the desk's network";
         else if ((one.address & kLinkLocalMask) == kLinkLocal)
             text += ". " + one.name + " gave itself " + dmx::ipv4_text(one.address) +
-                    ", as a machine does that no DHCP server answers: it meets a desk in "
-                    "169.254.x.x alone";
+                    ", as a machine does that no DHCP server answers: for Art-Net the "
+                    "desk has to be in 169.254.x.x, too";
     }
     return text;
 }

@@ -73,7 +73,7 @@ void add_ignored(const dmx::Statistics& statistics, Sentences& out);
 void add_ranks(const dmx::Statistics& statistics, Sentences& out);     // priorities and merges
 void add_numbering(const dmx::Statistics& statistics, Sentences& out); // sequence numbers and CIDs
 void add_sources(const dmx::Statistics& statistics, Sentences& out);
-// Its numbers jump back and forth: two send as one, and a gap is no packet that got lost.
-bool is_two_in_one(const dmx::SourceStatus& source);
+// "400 bad_priority" of late, where these are more than anybody's; else "".
+std::string unreadable_text(const dmx::Statistics& statistics);
 
 } // namespace ghost::scene::diagnosed

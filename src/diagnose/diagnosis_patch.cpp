@@ -73,6 +73,14 @@ std::string swapped_text(const std::set<int>& arriving, const std::set<int>& mis
     return "";
 }
 
+// Marked as preview, it comes.
+bool is_blind(const dmx::Statistics& statistics, int universe) {
+    return std::any_of(statistics.ignored.begin(), statistics.ignored.end(),
+                       [&](const dmx::IgnoredSource& one) {
+                           return one.universe == universe && one.why == dmx::IgnoredSource::Why::preview;
+                       });
+}
+
 // Desks that leave out what they have nothing at send as much as they have.
 void add_short(const dmx::Statistics& statistics, const PatchMap& patch, Sentences& out) {
     std::map<int, int> slots; // by universe
@@ -118,6 +126,7 @@ void add_patch(const dmx::Statistics& statistics, const Arriving& arriving, cons
                            [&](const dmx::LostUniverse& one) { return one.universe == universe; });
     };
     std::set<int> missing, elsewhere;
+    const std::string unreadable = unreadable_text(statistics);
     std::size_t fixtures = 0;
     std::string first;
     for (const PatchedUniverse& one : patch.universes()) {
@@ -130,12 +139,13 @@ void add_patch(const dmx::Statistics& statistics, const Arriving& arriving, cons
     for (const auto& [universe, from] : arriving.universes)
         if (!patch.has(universe) && !explained_arriving.contains(universe)) elsewhere.insert(universe);
     if (!missing.empty() && !arriving.nothing())
-        out.push_back(problem(Trouble::not_received,
-                              count_text(fixtures, "fixture") + " on " + universes_text(missing) + " ('" +
-                                  one_line(first) + "'" + (fixtures > 1 ? ", ..." : "") +
-                                  "), nothing arrives there" +
-                                  port_addresses_hint(missing, statistics.listening),
-                              missing));
+        out.push_back(problem(
+            Trouble::not_received,
+            count_text(fixtures, "fixture") + " on " + universes_text(missing) + " ('" + one_line(first) +
+                "'" + (fixtures > 1 ? ", ..." : "") + "), no levels arrive there" +
+                port_addresses_hint(missing, statistics.listening) +
+                (unreadable.empty() ? "" : "; packets arrive that cannot be read (" + unreadable + ")"),
+            missing));
     // What is only announced, where nothing else explains what is missing.
     std::set<int> only_announced;
     const bool is_announced = std::any_of(missing.begin(), missing.end(),
@@ -144,7 +154,11 @@ void add_patch(const dmx::Statistics& statistics, const Arriving& arriving, cons
         for (const auto& [universe, one] : arriving.listed)
             if (!patch.has(universe) && !explained_arriving.contains(universe))
                 only_announced.insert(universe);
-    const std::string wants = missing.empty() ? "" : "; the show wants " + universes_text(missing);
+    // What came before it went elsewhere is wanted, too.
+    std::set<int> wanted = missing;
+    for (const PatchedUniverse& one : patch.universes())
+        if (was_lost(one.universe) && !arriving.has(one.universe)) wanted.insert(one.universe);
+    const std::string wants = wanted.empty() ? "" : "; the show wants " + universes_text(wanted);
     if (!only_announced.empty())
         out.push_back(problem(Trouble::not_patched,
                               arriving.announced_text(only_announced) + ", nothing is patched there" + wants,
@@ -159,28 +173,32 @@ void add_patch(const dmx::Statistics& statistics, const Arriving& arriving, cons
     if (const auto artnet = arriving.by_protocol.find(dmx::Protocol::artnet);
         artnet != arriving.by_protocol.end())
         text += swapped_text(artnet->second, missing, statistics.listening.artnet_offset);
-    out.push_back(missing.empty() ? note(Trouble::not_patched, text)
-                                  : problem(Trouble::not_patched, text, missing));
+    out.push_back(wanted.empty() ? note(Trouble::not_patched, text)
+                                 : problem(Trouble::not_patched, text, wanted));
 }
 
 void add_lost(const dmx::Statistics& statistics, const PatchMap& patch, Sentences& out) {
+    const std::string unreadable = unreadable_text(statistics);
     for (const bool black : {false, true}) {
         std::set<int> universes;
         std::chrono::nanoseconds longest{0};
         for (const dmx::LostUniverse& one : statistics.lost) {
             if (one.black != black || (!patch.universes().empty() && !patch.has(one.universe))) continue;
+            if (is_blind(statistics, one.universe)) continue; // add_ignored says so
             universes.insert(one.universe);
             longest = std::max(longest, one.since);
         }
         if (universes.empty()) continue;
-        out.push_back(problem(Trouble::lost,
-                              "nothing comes for " + universes_text(universes) + " any more, since " +
-                                  seconds_text(longest) + ": " +
-                                  (black ? "black (--on-loss)" : "the last look is held") +
-                                  ". Its desk has stopped, or something on the way lets nothing through any "
-                                  "more: a cable, a firewall, or a switch that prunes multicast after "
-                                  "minutes (IGMP snooping without a querier)",
-                              universes));
+        out.push_back(problem(
+            Trouble::lost,
+            "nothing comes for " + universes_text(universes) + " any more, since " + seconds_text(longest) +
+                ": " + (black ? "black (--on-loss)" : "the last look is held") +
+                (unreadable.empty() ? ". Its desk has stopped, or something on the way lets nothing "
+                                      "through any more: a cable, a firewall, or a switch that prunes "
+                                      "multicast after minutes (IGMP snooping without a querier)"
+                                    : ". Packets arrive that cannot be read (" + unreadable +
+                                          "): if they are its desk's, that has to be mended"),
+            universes));
     }
 }
 

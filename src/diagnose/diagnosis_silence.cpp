@@ -71,6 +71,12 @@ std::string others_text(const dmx::Statistics& statistics) {
         count_of_all += sum(statistics.recent.refused);
         text += (text.empty() ? "" : ", ") + refused;
     }
+    // Goodbyes, and priorities per address without levels.
+    if (const std::uint64_t all = statistics.packets_sacn + statistics.packets_artnet;
+        text.empty() && all > 0) {
+        count_of_all = all;
+        text = "without levels";
+    }
     return count_of_all == 0 ? ""
                              : ", though " + count_text(count_of_all, "other packet") + " did (" + text + ")";
 }
@@ -113,8 +119,9 @@ void add_held_back(const dmx::Statistics& statistics, const Arriving& arriving, 
             who + " announces " + universes_text(universes) +
                 ", and none of it arrives here: either it sends them by unicast to other addresses than ours "
                 "(its output page says so), or a switch holds this multicast back (IGMP snooping without a "
-                "querier). Unicast to " +
-                addresses_text(statistics) + " gets past both",
+                "querier): unicast to " +
+                addresses_text(statistics) +
+                " gets past both; or it announces what it does not send (its output is off)",
             universes));
 }
 
@@ -150,6 +157,9 @@ void add_nothing(const dmx::Statistics& statistics, const Arriving& arriving, co
                                       : "and is no firewall on UDP " + ports + " in the way") +
                        "? We listen on " + addresses_text(statistics);
     if (listening.wider > 0) text += ", also for " + count_text(listening.wider, "universe") + " around";
+    if (!listening.sacn || !listening.artnet)
+        text +=
+            ". " + std::string(listening.sacn ? "Art-Net" : "sACN") + " is not listened for (--protocols)";
     text += unaddressed_text(statistics);
     if (const std::string broadcasts = listening.artnet ? broadcasts_text(statistics) : "";
         !broadcasts.empty())
@@ -171,6 +181,10 @@ void add_nothing(const dmx::Statistics& statistics, const Arriving& arriving, co
 }
 
 } // namespace
+
+std::string unreadable_text(const dmx::Statistics& statistics) {
+    return is_unreadable(statistics) ? refused_text(statistics) : "";
+}
 
 void add_silence(const dmx::Statistics& statistics, const Arriving& arriving, const PatchMap& patch,
                  bool all_fed, Sentences& out) {

@@ -108,16 +108,21 @@ void add_two_desks(const dmx::Statistics& statistics, Sentences& out) {
     };
     std::map<std::string, Fight> fights; // by who
     for (const auto& [universe, sources] : by_universe) {
-        std::size_t differ = 0;
+        std::size_t differ = 0, meet = 0;
         bool all_artnet = true, contested = false;
         std::set<std::string> who;
+        std::set<int> ranks; // of those that do not have their way: whom they meet has the same
+        for (const dmx::SourceStatus* source : sources)
+            if (source->slots_overruled > 0) ranks.insert(source->highest_priority);
         for (const dmx::SourceStatus* source : sources) {
+            if (!source->per_address_priority && !ranks.contains(source->highest_priority)) continue;
             differ = std::max(differ, source->slots_overruled);
             contested |= source->slots_contested > 0;
             all_artnet &= source->protocol == dmx::Protocol::artnet;
             who.insert(sends_text(*source));
+            ++meet;
         }
-        if (differ == 0 || sources.size() < 2) continue;
+        if (differ == 0 || meet < 2) continue;
         Fight& fight = fights[joined(who)];
         fight.universes.insert(universe);
         fight.channels = std::max(fight.channels, differ);
@@ -196,8 +201,8 @@ void add_sources(const dmx::Statistics& statistics, Sentences& out) {
         out.push_back(
             note(Trouble::other_network,
                  who + " sends Art-Net from another network than ours (" + addresses_text(statistics) +
-                     "): its broadcasts arrive, unicast and our answers may not; give this machine an "
-                     "address in its network",
+                     "), by a router or because the addresses do not fit: without a router its unicast and "
+                     "our answers do not arrive, and this machine needs an address in its network",
                  universes));
     for (const auto& [who, universes] : astray)
         out.push_back(
@@ -214,11 +219,9 @@ void add_sources(const dmx::Statistics& statistics, Sentences& out) {
                     "this machine dropped " + count_text(statistics.recent.overflow, "packet") +
                         " in the last seconds: it is too busy, or the sockets' buffers are too small "
                         "(as root: sysctl -w net.core.rmem_max=4194304)"));
-    const bool gaps_are_losses =
-        std::none_of(statistics.sources.begin(), statistics.sources.end(), is_two_in_one);
-    if (gaps_are_losses && statistics.recent.missed > statistics.recent.overflow)
+    if (statistics.recent.lost > statistics.recent.overflow)
         out.push_back(problem(Trouble::packets_lost,
-                              count_text(statistics.recent.missed - statistics.recent.overflow, "packet") +
+                              count_text(statistics.recent.lost - statistics.recent.overflow, "packet") +
                                   " got lost on the way in the last seconds: cable, switch or Wi-Fi"));
 }
 

@@ -24,8 +24,9 @@ struct NetInterface {
     std::uint32_t netmask = 0;
     std::uint32_t broadcast = 0;
     bool loopback = false;
-    bool running = true; // the cable is in
-    bool ipv6 = false;   // it has an IPv6 address, too
+    bool running = true;  // the cable is in
+    bool ipv6 = false;    // it has an IPv6 address, too
+    bool bridged = false; // a port of a bridge, which has the address
 
     bool operator==(const NetInterface&) const = default;
 };

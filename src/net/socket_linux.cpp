@@ -102,6 +102,8 @@ std::vector<NetInterface> list_interfaces() {
         if (std::none_of(result.begin(), result.end(),
                          [&wanted = name](const NetInterface& other) { return other.name == wanted; }))
             result.push_back(interface);
+    for (NetInterface& interface : result)
+        interface.bridged = ::access(("/sys/class/net/" + interface.name + "/brport").c_str(), F_OK) == 0;
     return result;
 }
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdlib>
 #include <ltc.h>
 #include <numeric>
 #include <optional>
@@ -26,6 +27,8 @@ using dmx::TimeCode;
 constexpr int kQueue = 32;              // frames
 constexpr std::size_t kLtcPiece = 1024; // samples: less than that queue of frames at any speed
 constexpr int kBits = LTC_FRAME_BIT_COUNT;
+constexpr int kLoud = 100;       // of 32767: -50 dBFS
+constexpr int kDeaf_s = 2;       // a tenth of the speed has three frames in that time
 constexpr double kTorn = 1.25;   // times the length of its bits
 constexpr int kMostMissing = 30; // frames between two that still follow each other
 
@@ -97,7 +100,13 @@ void LtcDecoder::Decoder::find_rate(HeardFrame& next, int rate_hz) {
 }
 
 LtcDecoder::LtcDecoder(int rate_hz) : rate_hz_(rate_hz), decoder_(std::make_unique<Decoder>()) {
-    decoder_->ltc = ltc_decoder_create(rate_hz / 25, kQueue);
+    begin();
+}
+
+void LtcDecoder::begin() {
+    if (decoder_->ltc) ltc_decoder_free(decoder_->ltc);
+    decoder_->ltc = ltc_decoder_create(rate_hz_ / 25, kQueue);
+    deaf_ = 0;
 }
 
 LtcDecoder::~LtcDecoder() = default;
@@ -114,6 +123,10 @@ void LtcDecoder::feed(std::span<const std::int16_t> samples, std::chrono::nanose
         // The moment of sample 0.
         while (ltc_decoder_read(decoder_->ltc, &decoder_->frame) == 1)
             take_frame(end - std::chrono::duration_cast<std::chrono::nanoseconds>(ahead), take);
+        const bool is_loud =
+            std::any_of(piece.begin(), piece.end(), [](short one) { return std::abs(one) > kLoud; });
+        if (is_loud) deaf_ += static_cast<std::int64_t>(count);
+        if (deaf_ > std::int64_t{kDeaf_s} * rate_hz_) begin();
     }
 }
 
@@ -144,6 +157,7 @@ void LtcDecoder::take_frame(std::chrono::nanoseconds begin, const Take& take) {
         return;
     }
     d.taken = frame;
+    deaf_ = 0;
     // A frame tells the time of its first bit; forwards its end, at which it is known, is a frame later.
     const TimeCode now = frame.is_backwards || stands ? frame.time : plus_frames(frame.time, 1);
     const std::chrono::duration<double> at(frame.end / rate_hz_);

@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // LtcDecoder: time code that is a sound (LTC, SMPTE 12M-1): one channel's samples in, the time of each moment
 // out, forwards, backwards and faster or slower than it was written; libltc finds the bits. A frame that does
-// not follow from those before, which noise makes, is left out; a jump is known by its second frame. Whether
-// there are 24, 25 or 30 frames a second LTC does not say: the length of a frame does, later the number of
-// the last frame of a second. No clock: calls get the time. One thread.
+// not follow from those before, which noise makes, is left out; libltc, which may lock onto noise, begins
+// anew after two seconds of sound without one; a jump is known by its second frame. Whether there are 24, 25
+// or 30 frames a second LTC does not say: the length of a frame does, later the number of the last frame of a
+// second. No clock: calls get the time. One thread.
 
 #include "dmx/wire/packet.h"
 
@@ -38,11 +39,13 @@ public:
 
 private:
     struct Decoder;
+    void begin();
     void take_frame(std::chrono::nanoseconds begin, const Take& take);
 
     const int rate_hz_;
     std::unique_ptr<Decoder> decoder_;
-    std::int64_t fed_ = 0; // samples
+    std::int64_t fed_ = 0;  // samples
+    std::int64_t deaf_ = 0; // loud samples since a frame was taken, or since libltc began anew
     LtcCounters counters_;
 };
 

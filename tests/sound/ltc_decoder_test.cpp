@@ -209,6 +209,26 @@ TEST(Ltc, noise_loses_frames_and_invents_none) {
     }
 }
 
+// libltc, once it took noise for bits, may never find any again.
+TEST(Ltc, after_hiss_it_is_found_within_seconds) {
+    const TimeCode start = at(1, 2, 3, 4, Rate::ebu_25);
+    for (unsigned seed = 1; seed <= 40; ++seed) {
+        Tape tape;
+        tape.level = 12000;
+        tape.add_silence(0.8);
+        tape.add(start, 150); // 6 s
+        std::mt19937 random(seed);
+        std::normal_distribution<double> hiss(0.0, 400.0);
+        for (std::int16_t& sample : tape.samples)
+            sample = static_cast<std::int16_t>(std::clamp(sample + hiss(random), -32768.0, 32767.0));
+        const auto frames = heard(tape.samples);
+        EXPECT_GE(frames.size(), 60u) << seed;
+        for (const Heard& one : frames)
+            EXPECT_NEAR(dmx::timecode_seconds(one.time) - dmx::timecode_seconds(start), one.at_s - 0.8, 0.003)
+                << seed;
+    }
+}
+
 TEST(Ltc, drop_outs_and_jumps) {
     const TimeCode start = at(1, 0, 0, 0, Rate::ebu_25), other = at(20, 0, 0, 0, Rate::ebu_25);
     Tape tape;

@@ -10,8 +10,17 @@ namespace ghost::dmx {
 namespace {
 
 constexpr std::chrono::nanoseconds kRateWindow = std::chrono::seconds(1);
+constexpr double kEnoughPackets = 8; // a desk at rest sends one a second
+constexpr double kMostGaps = 0.5;    // of its packets; a network that loses as many is hardly one
 constexpr std::chrono::nanoseconds kDoubleForgotten =
     std::chrono::seconds(3); // unchanged levels: one a second
+
+// Never 0.
+std::uint64_t look_of(const Levels& levels) {
+    std::uint64_t sum = 0x9E3779B97F4A7C15u;
+    for (const std::uint8_t level : levels) sum = (sum ^ level) * 0x100000001B3u; // FNV-1a
+    return sum | 1;
+}
 
 std::chrono::nanoseconds loss_after(Protocol protocol) {
     return protocol == Protocol::sacn ? kSacnLoss : protocol == Protocol::artnet ? kArtnetLoss : kUsbLoss;
@@ -63,7 +72,7 @@ bool LevelSource::same_way(const Packet& packet, std::chrono::nanoseconds now) {
     const bool same = packet.from == from_ && packet.interface_index == interface_index_;
     if (!same && now - last_way_ <= kWaySilence) {
         ++other_way_;
-        if (!is_copy(packet)) note_double(packet, now);
+        if (!is_copy(packet)) note_double(packet.from, now);
         return false;
     }
     if (!same) {
@@ -71,22 +80,54 @@ bool LevelSource::same_way(const Packet& packet, std::chrono::nanoseconds now) {
         interface_index_ = packet.interface_index;
         sequence_.forget();
         double_.reset();
+        looks_.reset();
     }
     last_way_ = std::max(last_way_, now);
     return true;
 }
 
-// Who sends every packet by two ways numbers both alike.
-bool LevelSource::is_copy(const Packet& packet) const {
-    if (key_.protocol != Protocol::sacn) return true; // its key is its address
-    const bool differs = sequence_.is_newest(packet.sequence) && packet.start_code == 0 && !holding() &&
-                         packet.slots != levels_;
-    return sequence_.is_near(packet.sequence) && !differs;
+// Who sends every packet by two ways numbers both alike and shows the same in both, however late the other
+// way is; with a row of numbers for each it shows the same at least while it stands still.
+bool LevelSource::is_copy(const Packet& packet) {
+    if (key_.protocol != Protocol::sacn || packet.start_code != 0)
+        return true; // Art-Net's key is its address
+    if (!looks_) looks_ = std::make_unique<Looks>();
+    looks_->from = packet.from;
+    const int ahead = sequence_.ahead(packet.sequence);
+    const auto count = static_cast<int>(looks_->here.size());
+    const std::uint64_t look = look_of(packet.slots);
+    const std::size_t place = packet.sequence % looks_->here.size();
+    if (ahead > 0 && ahead < count) {
+        looks_->there[place] = {look, packet.sequence}; // to be compared when it comes by the way that counts
+        return true;
+    }
+    if (ahead > -count && ahead <= 0) {
+        const Look& here = looks_->here[place];
+        return here.look == 0 || here.number != packet.sequence || here.look == look;
+    }
+    return !has_levels_ || packet.slots == levels_;
 }
 
-void LevelSource::note_double(const Packet& packet, std::chrono::nanoseconds now) {
-    if (!double_ || now - double_->last > kDoubleForgotten) double_ = Double{packet.from, now, now};
-    double_->from = packet.from;
+// Levels that are accepted, by what they show.
+void LevelSource::note_look(const Packet& packet, std::chrono::nanoseconds now) {
+    const bool steps_back = sequence_.stepped_back();
+    if (!looks_ && !steps_back && look_back_ == 0) return; // the rule: nobody asks
+    const std::uint64_t look = look_of(packet.slots);
+    // Two that take turns: this look, that one, and this again.
+    window_.back += steps_back && look == look_back_ && look != look_ ? 1 : 0;
+    if (steps_back) look_back_ = look;
+    look_ = look;
+    if (!looks_) return;
+    const std::size_t place = packet.sequence % looks_->here.size();
+    looks_->here[place] = {look, packet.sequence};
+    const Look there = std::exchange(looks_->there[place], Look{});
+    if (there.look != 0 && there.number == packet.sequence && there.look != look)
+        note_double(looks_->from, now);
+}
+
+void LevelSource::note_double(const IpAddress& from, std::chrono::nanoseconds now) {
+    if (!double_ || now - double_->last > kDoubleForgotten) double_ = Double{from, now, now};
+    double_->from = from;
     double_->last = now;
 }
 
@@ -98,10 +139,12 @@ std::optional<unsigned> LevelSource::in_sequence(const Packet& packet) {
     const std::optional<unsigned> missed = sequence_.accept(packet.sequence);
     if (missed) {
         missed_ += *missed;
-        window_.back += sequence_.stepped_back() ? 1 : 0;
+        window_.missed += *missed;
+        window_.odd += *missed > 0 || sequence_.stepped_back() ? 1 : 0;
     } else {
         ++out_of_sequence_;
         ++window_.late;
+        window_.swapped += sequence_.swapped() ? 1 : 0;
     }
     return missed;
 }
@@ -120,6 +163,7 @@ void LevelSource::keep(const Packet& packet, bool hold, std::uint32_t stamp, std
         joined_ = true; // nothing better is to come
     } else {
         if (packets_ > 0) measure_jitter(now - last_levels_);
+        note_look(packet, now);
         last_levels_ = std::max(last_levels_, now);
         ++packets_;
         ++window_.packets;
@@ -181,6 +225,9 @@ void LevelSource::measure_rate(std::chrono::nanoseconds now) {
     const auto window = now - window_start_;
     if (window < kRateWindow) return;
     const double window_s = std::chrono::duration<double>(window).count();
+    if (window_.packets >= kEnoughPackets) has_gaps_ = window_.odd > kMostGaps * window_.packets;
+    if (!has_gaps_ && window_.missed > window_.swapped)
+        lost_ += static_cast<std::uint64_t>(window_.missed - window_.swapped);
     rates_hz_ = {window_.packets / window_s, window_.late / window_s, window_.back / window_s};
     window_ = {};
     window_start_ = now;
@@ -235,6 +282,7 @@ SourceStatus LevelSource::status(std::uint16_t universe, bool with_slots,
     const bool young = rates_hz_.packets == 0.0 && window_s > 0.2;
     status.rate_hz = young ? window_.packets / window_s : rates_hz_.packets;
     status.late_hz = young ? window_.late / window_s : rates_hz_.late;
+    status.has_gaps = has_gaps_;
     status.back_hz = young ? window_.back / window_s : rates_hz_.back;
     // One that came to another address, or its way back, is heard in one place at a time.
     if (double_ && last_way_ > double_->first && now - double_->last <= kDoubleForgotten)

@@ -9,9 +9,11 @@
 #include "dmx/wire/packet.h"
 #include "dmx/wire/sequence.h"
 
+#include <array>
 #include <chrono>
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace ghost::dmx {
@@ -55,6 +57,9 @@ public:
     // Back to the packet's priority where priorities per address stopped. True: they did.
     bool drop_old_priorities(std::chrono::nanoseconds now);
     void measure_rate(std::chrono::nanoseconds now);
+    // Packets that got lost since the last call, as far as numbers tell it: where most of them come after a
+    // gap the sender counts several universes in one row, or as many get lost (SourceStatus::has_gaps).
+    std::uint64_t take_lost() { return std::exchange(lost_, 0); }
     void resume(std::chrono::nanoseconds pause, std::chrono::nanoseconds now);
 
     // Priority + 1 in a slot (0-based), 0 where it does not hold it.
@@ -77,8 +82,9 @@ private:
     };
     void show(const Held& levels);
     void measure_jitter(std::chrono::nanoseconds interval);
-    bool is_copy(const Packet& packet) const;
-    void note_double(const Packet& packet, std::chrono::nanoseconds now);
+    bool is_copy(const Packet& packet);
+    void note_double(const IpAddress& from, std::chrono::nanoseconds now);
+    void note_look(const Packet& packet, std::chrono::nanoseconds now);
 
     SourceKey key_;
     std::string name_;
@@ -100,15 +106,30 @@ private:
     std::chrono::nanoseconds first_heard_{0}, last_levels_{0}, last_priorities_{0}, last_way_{0};
     std::uint64_t heard_ = 0, packets_ = 0, out_of_sequence_ = 0, missed_ = 0, other_way_ = 0;
     struct Window {
-        double packets = 0, late = 0, back = 0;
+        double packets = 0, late = 0, back = 0, odd = 0, missed = 0,
+               swapped = 0; // odd: after a gap or a step back
     };
     Window window_, rates_hz_; // counted since window_start_, and of the whole second before
     std::chrono::nanoseconds window_start_{0};
+    std::uint64_t lost_ = 0; // that were not taken yet
+    bool has_gaps_ = false;
     struct Double {
         IpAddress from;
         std::chrono::nanoseconds first{0}, last{0};
     };
     std::optional<Double> double_;
+    // Of what came by the way that counts and by the other one, by number: what it shows. While there is
+    // another way.
+    struct Look {
+        std::uint64_t look = 0; // 0: none
+        std::uint8_t number = 0;
+    };
+    struct Looks {
+        std::array<Look, 64> here{}, there{};
+        IpAddress from; // the other way
+    };
+    std::unique_ptr<Looks> looks_;
+    std::uint64_t look_ = 0, look_back_ = 0;     // of the newest levels, and of the newest that stepped back
     double interval_ms_ = 0.0, jitter_ms_ = 0.0; // means of the last 16 packets or so
 };
 

@@ -291,6 +291,7 @@ void Merge::tick(std::chrono::nanoseconds now) {
         for (LevelSource& source : input.sources) {
             if (source.drop_old_priorities(now)) changed = true;
             source.measure_rate(now);
+            counters_.lost += source.take_lost();
         }
         if (changed) mark(number, input);
         apply_loss_policy(number, input, now);

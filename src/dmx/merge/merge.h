@@ -64,6 +64,7 @@ struct MergeCounters {
     std::uint64_t preview = 0;         // dropped
     std::uint64_t out_of_sequence = 0; // dropped
     std::uint64_t missed = 0;          // never arrived, by sequence number
+    std::uint64_t lost = 0;            // of these, where no other reason is known (LevelSource::take_lost)
     std::uint64_t other_way = 0;       // dropped: known source, by another interface or from another address
     std::uint64_t held = 0;            // level packets that waited for synchronisation
     std::uint64_t too_many_sources = 0;

@@ -71,7 +71,8 @@ struct SourceStatus {
     std::uint64_t other_way = 0;       // dropped: came by another interface or from another address as well
     double rate_hz = 0.0;              // level packets per second over about the last second
     double late_hz = 0.0;              // of them that are dropped: late or twice
-    double back_hz = 0.0;              // of them whose number steps back
+    double back_hz = 0.0;              // of them whose number steps back to the look of the one before
+    bool has_gaps = false;             // most of its packets come after a gap in the numbers
     double jitter_ms = 0.0;            // how far its packets come from an even beat, in the mean
     // Whoever sends other packets in its name at the same time, from another address or by another interface.
     std::optional<IpAddress> double_from;

@@ -324,7 +324,7 @@ void Receiver::Loop::publish_statistics(nanoseconds now) {
     statistics.usb = usb.status();
     statistics.midi = midi.status();
     statistics.port_users = port_watch.users();
-    const RecentLoss total{statistics.merge.missed, statistics.overflow, statistics.merge.too_many_universes,
+    const RecentLoss total{statistics.merge.lost, statistics.overflow, statistics.merge.too_many_universes,
                            statistics.drops, statistics.drops_sacn};
     if (now >= next_window) {
         before = std::exchange(at_last, total);
@@ -407,7 +407,7 @@ void Receiver::Loop::run() {
 
 RecentLoss RecentLoss::operator-(const RecentLoss& before) const {
     RecentLoss since = *this;
-    since.missed -= before.missed;
+    since.lost -= before.lost;
     since.overflow -= before.overflow;
     since.too_many_universes -= before.too_many_universes;
     for (std::size_t i = 0; i < refused.size(); ++i) {

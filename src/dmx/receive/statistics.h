@@ -71,7 +71,7 @@ using Refused = std::array<std::uint64_t, static_cast<std::size_t>(Drop::kCount)
 
 // What got lost in the last ten to twenty seconds, in packets.
 struct RecentLoss {
-    std::uint64_t missed = 0;   // by sequence number
+    std::uint64_t lost = 0;     // as MergeCounters::lost
     std::uint64_t overflow = 0; // dropped by the kernel
     std::uint64_t too_many_universes = 0;
     Refused refused{};      // as Statistics::drops

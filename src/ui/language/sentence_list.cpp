@@ -185,10 +185,11 @@ constexpr const char* kSentences[] = {
                       "(QLC+ switches that off): have it send unicast to 127.0.0.1"),
     QT_TRANSLATE_NOOP("Sentence", "%1 sends %2, but it comes in on %3, and we listen on %4 only: start with "
                                   "--interface %5, or without --interface"),
-    QT_TRANSLATE_NOOP("Sentence",
-                      "%1 announces %2, and none of it arrives here: either it sends them by unicast to "
-                      "other addresses than ours (its output page says so), or a switch holds this multicast "
-                      "back (IGMP snooping without a querier). Unicast to %3 gets past both"),
+    QT_TRANSLATE_NOOP(
+        "Sentence",
+        "%1 announces %2, and none of it arrives here: either it sends them by unicast to other addresses "
+        "than ours (its output page says so), or a switch holds this multicast back (IGMP snooping without a "
+        "querier): unicast to %3 gets past both; or it announces what it does not send (its output is off)"),
     QT_TRANSLATE_NOOP("Sentence", "off by one? %1 comes for %2, fixtures are on %3: %4"),
     QT_TRANSLATE_NOOP("Sentence", "off by one? %1 is announced for %2 by %3, fixtures are on %4: %5"),
     QT_TRANSLATE_NOOP("Sentence", "--artnet-offset %1 brings them together"),
@@ -197,8 +198,19 @@ constexpr const char* kSentences[] = {
     QT_TRANSLATE_NOOP("Sentence", "%1 announces %2, nothing is patched there"),
     QT_TRANSLATE_NOOP("Sentence", "packets for %1 arrive (%2), nothing is patched there; the show wants %3"),
     QT_TRANSLATE_NOOP("Sentence", "packets for %1 arrive (%2), nothing is patched there"),
-    QT_TRANSLATE_NOOP("Sentence", "%1 fixtures on %2 ('%3', ...), nothing arrives there"),
-    QT_TRANSLATE_NOOP("Sentence", "%1 fixture on %2 ('%3'), nothing arrives there"),
+    QT_TRANSLATE_NOOP("Sentence", "%1 fixtures on %2 ('%3', ...), no levels arrive there"),
+    QT_TRANSLATE_NOOP("Sentence", "%1 fixture on %2 ('%3'), no levels arrive there"),
+    QT_TRANSLATE_NOOP("Sentence", "%1; packets arrive that cannot be read (%2)"),
+    QT_TRANSLATE_NOOP("Sentence",
+                      "nothing comes for %1 any more, since %2: black (--on-loss). Packets arrive that "
+                      "cannot be read (%3): if they are its desk's, that has to be mended"),
+    QT_TRANSLATE_NOOP("Sentence",
+                      "nothing comes for %1 any more, since %2: the last look is held. Packets arrive that "
+                      "cannot be read (%3): if they are its desk's, that has to be mended"),
+    QT_TRANSLATE_NOOP("Sentence", "most packets of %1 on %2 come after a gap in their numbers: it counts "
+                                  "several universes in one row, or as many get lost on the way"),
+    QT_TRANSLATE_NOOP("Sentence", "%1. Art-Net is not listened for (--protocols)"),
+    QT_TRANSLATE_NOOP("Sentence", "%1. sACN is not listened for (--protocols)"),
     QT_TRANSLATE_NOOP("Sentence",
                       "nothing comes for %1 any more, since %2: black (--on-loss). Its desk has stopped, or "
                       "something on the way lets nothing through any more: a cable, a firewall, or a switch "
@@ -253,9 +265,9 @@ constexpr const char* kSentences[] = {
                                   "show and of --universes are always among them"),
     QT_TRANSLATE_NOOP("Sentence", "levels of %1 on %2 wait for a synchronisation packet that does not come; "
                                   "after 10 s at most they show without"),
-    QT_TRANSLATE_NOOP("Sentence",
-                      "%1 sends Art-Net from another network than ours (%2): its broadcasts arrive, unicast "
-                      "and our answers may not; give this machine an address in its network"),
+    QT_TRANSLATE_NOOP("Sentence", "%1 sends Art-Net from another network than ours (%2), by a router or "
+                                  "because the addresses do not fit: without a router its unicast and our "
+                                  "answers do not arrive, and this machine needs an address in its network"),
     QT_TRANSLATE_NOOP("Sentence",
                       "%1 sends %2 to the multicast group of another universe; the levels are used"),
     QT_TRANSLATE_NOOP("Sentence",
@@ -683,12 +695,10 @@ constexpr const char* kSentences[] = {
         "Sentence",
         "%1. Art-Net that a desk broadcasts to %2 (one in %3 with the mask 255.0.0.0) does not arrive at our "
         "address and mask, which take %4 and 255.255.255.255: give both machines one network and one mask"),
-    QT_TRANSLATE_NOOP(
-        "Sentence", "%1. %2 has a cable and no IPv4 address, so that no Art-Net comes in there and sACN by "
-                    "IPv6 alone (no DHCP server answers, perhaps): give it an address in the desk's network"),
-    QT_TRANSLATE_NOOP("Sentence",
-                      "%1. %2 gave itself %3, as a machine does that no DHCP server answers: it meets a desk "
-                      "in 169.254.x.x alone"),
+    QT_TRANSLATE_NOOP("Sentence", "%1. %2 has a cable and no IPv4 address (no DHCP server answers, perhaps): "
+                                  "for Art-Net, and for sACN by IPv4, it needs one in the desk's network"),
+    QT_TRANSLATE_NOOP("Sentence", "%1. %2 gave itself %3, as a machine does that no DHCP server answers: for "
+                                  "Art-Net the desk has to be in 169.254.x.x, too"),
     QT_TRANSLATE_NOOP(
         "Sentence",
         "%1. A desk on this very machine has to send unicast to 127.0.0.1: multicast of QLC+ does not come "

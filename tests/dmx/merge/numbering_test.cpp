@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include <vector>
+
 namespace ghost::dmx {
 namespace {
 
@@ -39,25 +41,75 @@ TEST(Merge, numbers_that_stand_still_and_that_jump) {
     EXPECT_NEAR(sources[2].rate_hz, 40.0, 1.0);
 }
 
+TEST(Merge, one_row_of_numbers_for_several_universes_is_no_loss) {
+    Merge merge;
+    Desk shared{1}, losing{2}, swapping{3}, random{4};
+    for (int i = 0; i < 120; ++i) {
+        const nanoseconds now = i * 25ms;
+        ++shared.sequence; // that of another universe
+        merge.feed(shared.packet({1}), now);
+        const Packet packet = losing.packet({2});
+        if (i % 10 != 9) merge.feed(packet, now);
+        if (i % 2 == 1) {
+            const Packet first = swapping.packet({3}), second = swapping.packet({3});
+            merge.feed(second, now);
+            merge.feed(first, now);
+        }
+        random.sequence = static_cast<std::uint8_t>(i * 7919 % 251);
+        merge.feed(random.packet({4}), now);
+        merge.tick(now);
+    }
+    const std::vector<SourceStatus> sources = merge.sources(3s);
+    ASSERT_EQ(sources.size(), 4u);
+    EXPECT_TRUE(sources[0].has_gaps);
+    EXPECT_FALSE(sources[1].has_gaps);
+    EXPECT_TRUE(sources[3].has_gaps);
+    EXPECT_EQ(sources[3].back_hz, 0.0) << "its look does not jump with its numbers";
+    EXPECT_GE(merge.counters().lost, 8u);
+    EXPECT_LE(merge.counters().lost, 12u) << "of the one that loses a tenth";
+}
+
 TEST(Merge, who_sends_other_packets_under_the_same_identity) {
-    const auto double_of = [](int behind, bool other_levels, bool both_speak) {
+    // A desk that fades, and what comes by another address: its packets so many later, or of a row of its
+    // own.
+    const auto double_of = [](int late, bool other_levels, bool own_row) {
         Merge merge;
         Desk desk{1};
-        for (int i = 0; i < 40; ++i) {
-            Packet packet = desk.packet({10});
-            packet.from = IpAddress(0x0A000001);
-            if (i < 10 || both_speak) merge.feed(packet, i * 25ms);
-            packet.sequence = static_cast<std::uint8_t>(packet.sequence - behind);
+        std::vector<Packet> sent;
+        for (int i = 0; i < 60; ++i) {
+            sent.push_back(desk.packet({own_row ? 10 : i}));
+            sent.back().from = IpAddress(0x0A000001);
+            merge.feed(sent.back(), i * 25ms);
+            if (i < late) continue;
+            Packet packet = sent[static_cast<std::size_t>(i - late)];
             packet.from = IpAddress(0x0A000002);
             if (other_levels) packet.slots[0] = 99;
+            if (own_row) packet.sequence = static_cast<std::uint8_t>(packet.sequence + 100);
             merge.feed(packet, i * 25ms + 1ms);
         }
-        return merge.sources(1s).at(0).double_from;
+        return merge.sources(1500ms).at(0).double_from;
     };
-    EXPECT_EQ(double_of(100, false, true), IpAddress(0x0A000002));
-    EXPECT_EQ(double_of(0, true, true), IpAddress(0x0A000002)) << "numbered alike by chance";
-    EXPECT_FALSE(double_of(0, false, true)) << "a desk with two network cards";
-    EXPECT_FALSE(double_of(2, false, true)) << "of which one is slower";
+    for (const int late : {0, 2, 7, 25}) {
+        EXPECT_FALSE(double_of(late, false, false))
+            << "two network cards of a desk, one is slower by " << late;
+        EXPECT_EQ(double_of(late, true, false), IpAddress(0x0A000002))
+            << "numbered alike by chance, " << late;
+    }
+    EXPECT_FALSE(double_of(0, false, true)) << "each card has numbers of its own";
+    EXPECT_EQ(double_of(0, true, true), IpAddress(0x0A000002));
+    // The other way may be the quicker one.
+    Merge ahead;
+    Desk quick{1}, slow{1};
+    for (int i = 0; i < 40; ++i) {
+        Packet packet = slow.packet({10});
+        packet.from = IpAddress(0x0A000001);
+        ahead.feed(packet, i * 25ms);
+        packet = quick.packet({99});
+        packet.sequence = static_cast<std::uint8_t>(packet.sequence + 3);
+        packet.from = IpAddress(0x0A000002);
+        ahead.feed(packet, i * 25ms + 1ms);
+    }
+    EXPECT_EQ(ahead.sources(1s).at(0).double_from, IpAddress(0x0A000002));
     Merge merge;
     Desk before{1}, after{1}; // it gets another address, and counts anew
     after.sequence = static_cast<std::uint8_t>(before.sequence + 100);

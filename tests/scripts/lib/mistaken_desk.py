@@ -92,11 +92,13 @@ while True:
             continue
         to = one.get("to", group(one["universe"]))
         one["sequence"] += 1
-        number = one.get("number", one["sequence"])
+        number = one.get("number", one["sequence"] * one.get("step", 1))
         options, start_code, slots = one.get("options", 0), 0, one["data"]
         if "per_address" in one and number % 5 == 1:
             start_code, slots = 0xDD, bytes([one["per_address"]]) * 512
-        if number % one.get("blind_every", 1 << 30) == 0:
+        if passed > one.get("bad_after_s", 1e9):
+            one["priority"] = 250
+        if number % one.get("blind_every", 1 << 30) == 0 or passed > one.get("blind_after_s", 1e9):
             options, slots = 0x80, bytes(512)
         if number % one.get("text_every", 1 << 30) == 0:
             start_code = 0x17
