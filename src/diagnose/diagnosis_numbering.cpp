@@ -10,10 +10,10 @@ namespace ghost::scene::diagnosed {
 namespace {
 
 constexpr double kOften_hz = 3.0;   // a sender that starts anew steps back once
-constexpr double kStill_hz = 3.0;   // looks that get through where a number stands still
+constexpr double kStill_hz = 6.0;   // more looks than get through where a number stands still
 constexpr double kSharePart = 0.1;  // of the packets that step back, where two senders take turns
 constexpr double kMostlyLate = 4.0; // late ones for each in time; a network that brings all twice has one
-constexpr double kManyLate_hz = 5.0;
+constexpr double kManyLate_hz = 10.0;
 
 bool is_mostly_late(const dmx::SourceStatus& source) {
     return source.late_hz >= kManyLate_hz && source.late_hz > kMostlyLate * source.rate_hz &&

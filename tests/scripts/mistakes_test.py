@@ -185,6 +185,11 @@ def by_monitor(stage, outcome, words):
     outcome.named, outcome.text = outcome.wanted, found["text"]
     outcome.also = [trouble for trouble in problems(report) if trouble != outcome.wanted]
     outcome.faults = wanting(outcome.text, words)
+    time.sleep(1)
+    later = stage.reports()[-1]
+    if outcome.wanted not in {sentence["trouble"] for sentence in later["diagnosis"]}:
+        outcome.faults.append(f"a second later it is not said: {problems(later)}")
+    outcome.also += [trouble for trouble in problems(later) if trouble not in (outcome.wanted, *outcome.also)]
     if stage.setup["once"]:
         return
     facts = stage.explain()
@@ -194,10 +199,6 @@ def by_monitor(stage, outcome, words):
     outcome.faults += [f"explain says: {word}" for word in missing]
     if missing:
         outcome.text += "\n   explain: " + json.dumps(facts["input"])[:4000]
-    last = stage.reports()[-1]
-    if outcome.wanted not in {sentence["trouble"] for sentence in last["diagnosis"]}:
-        outcome.faults.append(f"it is said no more: {problems(last)}")
-    outcome.also = [trouble for trouble in problems(last) if trouble != outcome.wanted]
     if facts["cause"] == "never_received":
         outcome.faults += [f"explain's verdict says: {word}" for word in wanting(facts["verdict"], words)]
 
