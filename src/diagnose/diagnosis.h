@@ -23,7 +23,7 @@ enum class Trouble {
     wrong_interface, // it comes by one that we were told not to listen on
     held_back,       // announced by sACN, and none of it arrives
     off_by_one,      // universes arrive one beside those of the patch
-    not_received,    // fixtures, and nothing arrives
+    not_received,    // fixtures, and no levels arrive
     not_patched,     // levels arrive, and no fixture
     short_universe,  // fewer channels arrive than are patched
     lost,            // the last source of a universe is gone
