@@ -101,8 +101,11 @@ std::vector<const PatchedSlot*> PatchMap::at(int universe, int address) const {
 std::vector<std::string> PatchMap::readers_past(int universe, int address) const {
     std::map<std::size_t, std::string> readers;
     const auto last = slots_.upper_bound({universe, kSlots});
-    for (auto slot = slots_.upper_bound({universe, address}); slot != last; ++slot)
+    const auto end = slots_.upper_bound({universe, address});
+    for (auto slot = end; slot != last; ++slot)
         readers.emplace(slot->second.fixture, slot->second.fixture_name);
+    for (auto slot = slots_.lower_bound({universe, 1}); slot != end; ++slot)
+        readers.erase(slot->second.fixture);
     std::vector<std::string> names;
     for (const auto& [fixture, name] : readers) names.push_back(name);
     return names;

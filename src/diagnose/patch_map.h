@@ -37,7 +37,8 @@ public:
     bool has(int universe) const;
     // Everyone who reads the slot; several may share an address.
     std::vector<const PatchedSlot*> at(int universe, int address) const;
-    // Names of those who read slots of the universe past this address, in the show's order.
+    // Names of those who read slots of the universe past this address and none before, in the show's order.
+    // (A desk may leave out the end of a fixture, channels that it never touched.)
     std::vector<std::string> readers_past(int universe, int address) const;
 
 private:
