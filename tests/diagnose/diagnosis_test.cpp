@@ -331,7 +331,7 @@ TEST(diagnosis, FewerChannelsThanArePatched) {
     EXPECT_EQ(network.troubles(), Troubles{Trouble::short_universe});
     EXPECT_FALSE(network.sentences()[0].is_problem) << "whoever is not patched there may be spare";
     expect_words(network.text(Trouble::short_universe), {"comes with 9 channels", "1 fixture ('Spot 1') is"});
-    for (const std::uint16_t arriving : {10, 11, 12}) {
+    for (std::uint16_t arriving = 10; arriving < 13; ++arriving) {
         network.statistics.sources[0].slot_count = arriving;
         EXPECT_EQ(network.troubles(), Troubles{}) << "a desk leaves out what it never touched";
     }
