@@ -5406,10 +5406,6 @@ Bitte den Namen des Ordners prüfen.</translation>
         <translation>zwei Sender haben auf %1 eine Identität (CID): %2 und einer auf %3, der andere Pakete sendet. Der erste wird gezeigt, der zweite verworfen. Einer ist eine Kopie des anderen (eine geklonte Platte, eine kopierte Einrichtung): ihm eine eigene CID geben</translation>
     </message>
     <message>
-        <source>the numbers of the packets of %1 jump back and forth on %2: two programs send there as one, and now the look of this shows, now of that. Close one, or give it an identity (CID) of its own</source>
-        <translation>die Nummern der Pakete von %1 springen auf %2 vor und zurück: zwei Programme senden dort als eines, und gezeigt wird bald der Stand des einen, bald der des anderen. Eines schließen oder ihm eine eigene Identität (CID) geben</translation>
-    </message>
-    <message>
         <source>%1 does not count its packets up on %2: %3 of %4 a second are dropped as late or twice, for their sequence number stands still or counts down. The look follows in jumps until this sender is mended</source>
         <translation>%1 zählt seine Pakete auf %2 nicht hoch: %3 von %4 in der Sekunde werden als verspätet oder doppelt verworfen, denn ihre laufende Nummer steht oder zählt abwärts. Das Bild folgt in Sprüngen, bis dieser Sender in Ordnung ist</translation>
     </message>
@@ -5596,6 +5592,38 @@ Bitte den Namen des Ordners prüfen.</translation>
     <message>
         <source>%1. A desk on this very machine has to send unicast to 127.0.0.1: multicast of QLC+ does not come back here. To tell them apart: where &apos;%2&apos; shows packets to an address of ours, to its broadcast or to 239.255, a firewall of this machine drops them; where it shows none at all, they do not get here: a cable, another VLAN, a switch that holds multicast back (IGMP snooping without a querier), or a desk that is silent</source>
         <translation>%1. Ein Pult auf ebendiesem Rechner muss Unicast an 127.0.0.1 senden: Multicast von QLC+ kommt hier nicht zurück. So unterscheidet man sie: wo &apos;%2&apos; Pakete an eine Adresse von uns, an deren Broadcast oder an 239.255 zeigt, verwirft sie eine Firewall dieses Rechners; wo es gar keine zeigt, kommen sie nicht bis hierher: ein Kabel, ein anderes VLAN, ein Switch, der Multicast zurückhält (IGMP-Snooping ohne Querier), oder ein Pult, das schweigt</translation>
+    </message>
+    <message>
+        <source>%1; %2: packets without a single level</source>
+        <translation>%1; %2: Pakete ohne einen einzigen Wert</translation>
+    </message>
+    <message>
+        <source>%1; %2: only priorities per address (start code 0xDD), no levels</source>
+        <translation>%1; %2: nur Prioritäten je Adresse (Startcode 0xDD), keine Werte</translation>
+    </message>
+    <message>
+        <source>%1 comes from more than one source of equal priority, %2, and they differ on up to %3: %4. %5 sends 0 alone: if that is a black-out, the others hide it</source>
+        <translation>%1 kommt von mehr als einer Quelle gleicher Priorität, %2, und sie unterscheiden sich auf bis zu %3: %4. %5 sendet nur 0: wenn das ein Blackout ist, verdecken ihn die anderen</translation>
+    </message>
+    <message>
+        <source>%1 come from more than one source of equal priority, %2, and they differ on up to %3: %4. %5 sends 0 alone: if that is a black-out, the others hide it</source>
+        <translation>%1 kommen von mehr als einer Quelle gleicher Priorität, %2, und sie unterscheiden sich auf bis zu %3: %4. %5 sendet nur 0: wenn das ein Blackout ist, verdecken ihn die anderen</translation>
+    </message>
+    <message>
+        <source>numbers of the packets of %1 jump back and forth, or come twice with other levels, on %2: two programs send there as one, and now the look of this shows, now of that. Close one, or give it an identity of its own (sACN: a CID, Art-Net: an address)</source>
+        <translation>Nummern der Pakete von %1 springen auf %2 vor und zurück oder kommen zweimal mit anderen Werten: zwei Programme senden dort als eines, und gezeigt wird bald der Stand des einen, bald der des anderen. Eines schließen oder ihm eine eigene Identität geben (sACN: eine CID, Art-Net: eine Adresse)</translation>
+    </message>
+    <message>
+        <source>the packets of %1 on %2 come by turns from the ports %3 and %4: two programs send there as one, and now the look of this shows, now of that. Close one, or give it an identity of its own (sACN: a CID, Art-Net: an address)</source>
+        <translation>die Pakete von %1 auf %2 kommen abwechselnd von den Ports %3 und %4: zwei Programme senden dort als eines, und gezeigt wird bald der Stand des einen, bald der des anderen. Eines schließen oder ihm eine eigene Identität geben (sACN: eine CID, Art-Net: eine Adresse)</translation>
+    </message>
+    <message>
+        <source>%1 channels (%2 in some packets)</source>
+        <translation>%1 Kanälen (%2 in manchen Paketen)</translation>
+    </message>
+    <message>
+        <source>%1 channel (%2 in some packets)</source>
+        <translation>%1 Kanal (%2 in manchen Paketen)</translation>
     </message>
 </context>
 <context>

@@ -20,9 +20,15 @@ bool is_mostly_late(const dmx::SourceStatus& source) {
            source.rate_hz < kStill_hz;
 }
 
-// Its numbers jump back and forth, and its looks with them.
+// Its numbers or ports jump back and forth, and its looks with them.
 bool is_two_in_one(const dmx::SourceStatus& source) {
     return source.back_hz >= kOften_hz && source.back_hz >= kSharePart * source.rate_hz;
+}
+
+// "6454 and 40021"; "" of numbered packets.
+std::string ports_text(const dmx::SourceStatus& source) {
+    return source.other_port == 0 ? ""
+                                  : std::to_string(source.port) + " and " + std::to_string(source.other_port);
 }
 
 std::string rate_text(double rate_hz) {
@@ -33,20 +39,21 @@ std::string rate_text(double rate_hz) {
 
 void add_numbering(const dmx::Statistics& statistics, Sentences& out) {
     std::map<std::pair<std::string, std::string>, std::set<int>> doubles; // who, and where else
-    std::map<std::string, std::set<int>> shared, late, gaps;
+    std::map<std::pair<std::string, std::string>, std::set<int>> shared;  // who, and by which ports
+    std::map<std::string, std::set<int>> late, gaps;
     std::map<std::string, std::pair<double, double>> rates_hz; // of the late ones: late, all
     for (const dmx::SourceStatus& source : statistics.sources) {
         const std::string who = source_text(source);
         if (source.double_from)
             doubles[{who, dmx::address_text(*source.double_from)}].insert(source.universe);
-        else if (is_two_in_one(source))
-            shared[who].insert(source.universe);
         else if (is_mostly_late(source)) {
             late[who].insert(source.universe);
             auto& [of_late, of_all] = rates_hz[who];
             of_late = std::max(of_late, source.late_hz);
             of_all = std::max(of_all, source.late_hz + source.rate_hz);
-        } else if (source.has_gaps)
+        } else if (is_two_in_one(source))
+            shared[{who, ports_text(source)}].insert(source.universe);
+        else if (source.has_gaps)
             gaps[who].insert(source.universe);
     }
     for (const auto& [who, universes] : doubles)
@@ -58,12 +65,17 @@ void add_numbering(const dmx::Statistics& statistics, Sentences& out) {
                                   "its own",
                               universes));
     for (const auto& [who, universes] : shared)
-        out.push_back(problem(Trouble::same_identity,
-                              "the numbers of the packets of " + who + " jump back and forth on " +
-                                  universes_text(universes) +
-                                  ": two programs send there as one, and now the look of this shows, now of "
-                                  "that. Close one, or give it an identity (CID) of its own",
-                              universes));
+        out.push_back(
+            problem(Trouble::same_identity,
+                    (who.second.empty() ? "numbers of the packets of " + who.first +
+                                              " jump back and forth, or come twice with other levels, on " +
+                                              universes_text(universes)
+                                        : "the packets of " + who.first + " on " + universes_text(universes) +
+                                              " come by turns from the ports " + who.second) +
+                        ": two programs send there as one, and now the look of this shows, now of "
+                        "that. Close one, or give it an identity of its own (sACN: a CID, Art-Net: "
+                        "an address)",
+                    universes));
     for (const auto& [who, universes] : gaps)
         out.push_back(note(Trouble::numbering,
                            "most packets of " + who + " on " + universes_text(universes) +

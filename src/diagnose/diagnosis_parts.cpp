@@ -23,6 +23,10 @@ bool is_ours(const dmx::NetInterface& one, const dmx::Listening& listening) {
     return one.name == listening.interface || dmx::ipv4_text(one.address) == listening.interface;
 }
 
+bool has_levels(const dmx::SourceStatus& source) {
+    return source.slot_count > 0 || source.most_slots > 0; // or it waits to be synchronised
+}
+
 } // namespace
 
 Arriving::Arriving(const dmx::Statistics& statistics) {
@@ -31,7 +35,7 @@ Arriving::Arriving(const dmx::Statistics& statistics) {
         by_protocol[protocol].insert(universe);
     };
     for (const dmx::SourceStatus& source : statistics.sources)
-        if (source.state != dmx::SourceState::silent)
+        if (source.state != dmx::SourceState::silent && has_levels(source))
             add(source.universe, source.protocol,
                 source_text(source.name, dmx::place_text(source), source.protocol));
     for (const dmx::UnlistedUniverse& one : statistics.unlisted_universes)
@@ -95,6 +99,22 @@ std::string seconds_text(std::chrono::nanoseconds time) {
 std::string source_text(const std::string& name, const std::string& place, dmx::Protocol protocol) {
     if (!name.empty()) return "'" + one_line(name) + "' (" + one_line(place) + ")";
     return one_line(place) + " (" + dmx::protocol_name(protocol) + ")";
+}
+
+std::string empty_text(const dmx::Statistics& statistics, const PatchMap& patch) {
+    std::set<std::string> bare, priorities;
+    for (const dmx::SourceStatus& source : statistics.sources)
+        if (!has_levels(source) && source.state != dmx::SourceState::silent &&
+            (patch.universes().empty() || patch.has(source.universe)))
+            (source.packets > 0 ? bare : priorities)
+                .insert(source_text(source) + " on universe " + std::to_string(source.universe));
+    std::string text;
+    const auto add = [&](const std::set<std::string>& who, const std::string& what) {
+        if (!who.empty()) text += "; " + *who.begin() + (who.size() > 1 ? " and others" : "") + what;
+    };
+    add(bare, ": packets without a single level");
+    add(priorities, ": only priorities per address (start code 0xDD), no levels");
+    return text;
 }
 
 std::string source_text(const dmx::SourceStatus& source) {

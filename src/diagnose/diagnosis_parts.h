@@ -44,6 +44,9 @@ std::string seconds_text(std::chrono::nanoseconds time);
 // "'Desk' (10.0.0.2)", "10.0.0.2 (Art-Net)".
 std::string source_text(const std::string& name, const std::string& place, dmx::Protocol protocol);
 std::string source_text(const dmx::SourceStatus& source);
+// "; 'Desk' (10.0.0.2) on universe 1: only priorities per address ..", of the patch; "" where all that comes
+// has levels.
+std::string empty_text(const dmx::Statistics& statistics, const PatchMap& patch);
 // Of the interfaces that we listen on: "eth0 (192.168.1.5/24)".
 std::string addresses_text(const dmx::Statistics& statistics);
 // ". eth0 has a cable and no IPv4 address: ..", of those that we listen on; "" where each has one.

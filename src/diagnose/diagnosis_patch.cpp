@@ -83,18 +83,26 @@ bool is_blind(const dmx::Statistics& statistics, int universe) {
 
 // Desks that leave out what they have nothing at send as much as they have.
 void add_short(const dmx::Statistics& statistics, const PatchMap& patch, Sentences& out) {
-    std::map<int, int> slots; // by universe
-    for (const dmx::SourceStatus& source : statistics.sources)
-        if (source.state == dmx::SourceState::live && source.slot_count > 0)
-            slots[source.universe] = std::max<int>(slots[source.universe], source.slot_count);
+    struct Count {
+        int now = 0, most = 0;
+    };
+    std::map<int, Count> slots; // by universe
+    for (const dmx::SourceStatus& source : statistics.sources) {
+        if (source.state != dmx::SourceState::live || source.slot_count == 0) continue; // none: not_received
+        Count& count = slots[source.universe];
+        count.now = std::max<int>(count.now, source.slot_count);
+        count.most = std::max<int>(count.most, source.most_slots);
+    }
     for (const auto& [universe, count] : slots) {
-        const std::vector<std::string> past = patch.readers_past(universe, count);
+        const std::vector<std::string> past = patch.readers_past(universe, count.now);
         if (past.empty()) continue;
+        const std::string at_times =
+            count.most > count.now ? " (" + std::to_string(count.most) + " in some packets)" : "";
         out.push_back(note(Trouble::short_universe,
                            "universe " + std::to_string(universe) + " comes with " +
-                               count_text(static_cast<std::uint64_t>(count), "channel") + ", and " +
-                               count_text(past.size(), "fixture") + " ('" + one_line(past.front()) + "'" +
-                               (past.size() > 1 ? ", ...) are" : ") is") +
+                               count_text(static_cast<std::uint64_t>(count.now), "channel") + at_times +
+                               ", and " + count_text(past.size(), "fixture") + " ('" +
+                               one_line(past.front()) + "'" + (past.size() > 1 ? ", ...) are" : ") is") +
                                " patched past these: not patched on the desk?",
                            {universe}));
     }
@@ -144,7 +152,8 @@ void add_patch(const dmx::Statistics& statistics, const Arriving& arriving, cons
             count_text(fixtures, "fixture") + " on " + universes_text(missing) + " ('" + one_line(first) +
                 "'" + (fixtures > 1 ? ", ..." : "") + "), no levels arrive there" +
                 port_addresses_hint(missing, statistics.listening) +
-                (unreadable.empty() ? "" : "; packets arrive that cannot be read (" + unreadable + ")"),
+                (unreadable.empty() ? "" : "; packets arrive that cannot be read (" + unreadable + ")") +
+                empty_text(statistics, patch),
             missing));
     // What is only announced, where nothing else explains what is missing.
     std::set<int> only_announced;

@@ -155,7 +155,7 @@ void add_nothing(const dmx::Statistics& statistics, const Arriving& arriving, co
                        ": is the desk's output on, is it in this network, " +
                        (ports.empty() ? "does it send to a universe of ours"
                                       : "and is no firewall on UDP " + ports + " in the way") +
-                       "? We listen on " + addresses_text(statistics);
+                       "? We listen on " + addresses_text(statistics) + empty_text(statistics, patch);
     if (listening.wider > 0) text += ", also for " + count_text(listening.wider, "universe") + " around";
     if (!listening.sacn || !listening.artnet)
         text +=

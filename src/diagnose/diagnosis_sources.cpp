@@ -105,12 +105,13 @@ void add_two_desks(const dmx::Statistics& statistics, Sentences& out) {
         std::size_t channels = 0;
         bool contested = false; // channels that more than one sends above 0
         std::string merge;
+        std::set<std::string> dark; // who sends nothing above 0
     };
     std::map<std::string, Fight> fights; // by who
     for (const auto& [universe, sources] : by_universe) {
         std::size_t differ = 0, meet = 0;
         bool all_artnet = true, contested = false;
-        std::set<std::string> who;
+        std::set<std::string> who, dark;
         std::set<int> ranks; // of those that do not have their way: whom they meet has the same
         for (const dmx::SourceStatus* source : sources)
             if (source->slots_overruled > 0) ranks.insert(source->highest_priority);
@@ -120,6 +121,7 @@ void add_two_desks(const dmx::Statistics& statistics, Sentences& out) {
             contested |= source->slots_contested > 0;
             all_artnet &= source->protocol == dmx::Protocol::artnet;
             who.insert(sends_text(*source));
+            if (source->is_dark) dark.insert(source_text(*source));
             ++meet;
         }
         if (differ == 0 || meet < 2) continue;
@@ -127,6 +129,7 @@ void add_two_desks(const dmx::Statistics& statistics, Sentences& out) {
         fight.universes.insert(universe);
         fight.channels = std::max(fight.channels, differ);
         fight.contested |= contested;
+        fight.dark.insert(dark.begin(), dark.end());
         fight.merge = all_artnet && statistics.listening.artnet_ltp
                           ? "whoever changed a channel last has it (LTP, --artnet-merge)"
                           : "of each channel the higher level shows (HTP)";
@@ -137,7 +140,9 @@ void add_two_desks(const dmx::Statistics& statistics, Sentences& out) {
             " from more than one source of equal priority, " + who + ", and they differ on up to " +
             count_text(fight.channels, "channel") + ": " + fight.merge +
             (fight.contested ? ". Switch one off, or give one that is a backup a lower priority"
-                             : ". None of these is above 0 at two of them, so they may be meant to share");
+             : !fight.dark.empty()
+                 ? ". " + *fight.dark.begin() + " sends 0 alone: if that is a black-out, the others hide it"
+                 : ". None of these is above 0 at two of them, so they may be meant to share");
         out.push_back(fight.contested ? problem(Trouble::two_desks, text, fight.universes)
                                       : note(Trouble::two_desks, text, fight.universes));
     }

@@ -220,7 +220,7 @@ std::vector<Reason> causes_in_network(const ExplainInput& input, const fixture::
                                 name + " is lost",
                                 {}});
         } else if (const Past past = channels_past(explanation, direct, facts.universe, facts.slot_count);
-                   facts.slot_count > 0 && past.count > 0) {
+                   past.count > 0) {
             findings.push_back({Cause::not_sent,
                                 past.blocks,
                                 "universe " + std::to_string(facts.universe) + " comes with " +

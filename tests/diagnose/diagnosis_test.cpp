@@ -330,7 +330,10 @@ TEST(diagnosis, FewerChannelsThanArePatched) {
     network.statistics.sources[0].slot_count = 9;
     EXPECT_EQ(network.troubles(), Troubles{Trouble::short_universe});
     EXPECT_FALSE(network.sentences()[0].is_problem) << "whoever is not patched there may be spare";
-    expect_words(network.text(Trouble::short_universe), {"comes with 9 channels", "1 fixture ('Spot 1') is"});
+    expect_words(network.text(Trouble::short_universe),
+                 {"comes with 9 channels,", "1 fixture ('Spot 1') is"});
+    network.statistics.sources[0].most_slots = 512;
+    expect_words(network.text(Trouble::short_universe), {"comes with 9 channels (512 in some packets), and"});
     for (std::uint16_t arriving = 10; arriving < 13; ++arriving) {
         network.statistics.sources[0].slot_count = arriving;
         EXPECT_EQ(network.troubles(), Troubles{}) << "a desk leaves out what it never touched";
@@ -352,6 +355,46 @@ TEST(diagnosis, TwoSendersThatAreOneByTheirIdentity) {
     desk.back_hz = 20;
     EXPECT_EQ(network.troubles(), Troubles{Trouble::same_identity});
     expect_words(network.text(Trouble::same_identity), {"'Desk' (192.168.1.7)", "back and forth"});
+    desk.port = 6454;
+    desk.other_port = 40021;
+    expect_words(network.text(Trouble::same_identity),
+                 {"by turns from the ports 6454 and 40021", "two programs"});
+    desk.late_hz = 44;
+    desk.rate_hz = 0.4;
+    EXPECT_EQ(network.troubles(), Troubles{Trouble::numbering})
+        << "one number that stands still, other levels";
+}
+
+TEST(diagnosis, PacketsWithoutLevels) {
+    Network network({1});
+    network.sends({1});
+    dmx::SourceStatus& desk = network.statistics.sources[0];
+    desk.slot_count = 0;
+    desk.slots_held = 0;
+    EXPECT_EQ(network.troubles(), Troubles{Trouble::nothing_arrives});
+    expect_words(network.text(Trouble::nothing_arrives),
+                 {"'Desk' (192.168.1.7) on universe 1: only priorities per address"});
+    desk.packets = 400;
+    expect_words(network.text(Trouble::nothing_arrives), {"packets without a single level"});
+    Network beside({1, 2});
+    beside.sends({1, 2});
+    beside.statistics.sources[1].slot_count = 0;
+    beside.statistics.sources[1].slots_held = 0;
+    EXPECT_EQ(beside.troubles(), Troubles{Trouble::not_received});
+    expect_words(beside.text(Trouble::not_received), {"on universe 2", "only priorities per address"});
+}
+
+TEST(diagnosis, ABlackOutThatAnotherDeskHides) {
+    Network network({1});
+    network.sends({1, 1});
+    dmx::SourceStatus& desk = network.statistics.sources[0];
+    desk.name = "FOH";
+    desk.slots_overruled = 7;
+    desk.is_dark = true;
+    EXPECT_FALSE(network.sentences().at(0).is_problem);
+    expect_words(network.text(Trouble::two_desks), {"'FOH' (192.168.1.7) sends 0 alone", "black-out"});
+    desk.is_dark = false;
+    expect_words(network.text(Trouble::two_desks), {"meant to share"});
 }
 
 TEST(diagnosis, NumbersThatDoNotCountUp) {

@@ -10,8 +10,9 @@ namespace ghost::dmx {
 namespace {
 
 constexpr std::chrono::nanoseconds kRateWindow = std::chrono::seconds(1);
-constexpr double kEnoughPackets = 8; // a desk at rest sends one a second
-constexpr double kMostGaps = 0.5;    // of its packets; a network that loses as many is hardly one
+constexpr double kEnoughPackets = 8;             // a desk at rest sends one a second
+constexpr double kMostGaps = 0.5;                // of its packets; a network that loses as many is hardly one
+constexpr std::chrono::seconds kMostSlotsFor{3}; // senders mix whole and short packets
 constexpr std::chrono::nanoseconds kDoubleForgotten =
     std::chrono::seconds(3); // unchanged levels: one a second
 
@@ -110,7 +111,14 @@ bool LevelSource::is_copy(const Packet& packet) {
 
 // Levels that are accepted, by what they show.
 void LevelSource::note_look(const Packet& packet, std::chrono::nanoseconds now) {
-    const bool steps_back = sequence_.stepped_back();
+    // Without numbers, ports: the same two by turns. There are senders that take a new one for each packet.
+    bool steps_back = sequence_.stepped_back();
+    if (sequence_.is_unused() && packet.from_port < port_) {
+        steps_back = packet.from_port == lower_port_ && port_ == higher_port_;
+        lower_port_ = packet.from_port;
+        higher_port_ = port_;
+    }
+    port_ = packet.from_port;
     if (!looks_ && !steps_back && look_back_ == 0) return; // the rule: nobody asks
     const std::uint64_t look = look_of(packet.slots);
     // Two that take turns: this look, that one, and this again.
@@ -145,6 +153,9 @@ std::optional<unsigned> LevelSource::in_sequence(const Packet& packet) {
         ++out_of_sequence_;
         ++window_.late;
         window_.swapped += sequence_.swapped() ? 1 : 0;
+        // One number, two looks.
+        const bool again = newest_is_levels_ && !held_levels_ && sequence_.is_newest(packet.sequence);
+        window_.back += again && packet.start_code == 0 && packet.slots != levels_ ? 1 : 0;
     }
     return missed;
 }
@@ -157,6 +168,7 @@ void LevelSource::keep(const Packet& packet, bool hold, std::uint32_t stamp, std
     sync_universe_ = packet.sync_universe;
     force_sync_ = packet.force_sync;
     const bool priorities = packet.start_code == 0xDD;
+    newest_is_levels_ = !priorities;
     const Held held{packet.slots, packet.slot_count, packet.priority, stamp};
     if (priorities) {
         last_priorities_ = std::max(last_priorities_, now);
@@ -167,6 +179,10 @@ void LevelSource::keep(const Packet& packet, bool hold, std::uint32_t stamp, std
         last_levels_ = std::max(last_levels_, now);
         ++packets_;
         ++window_.packets;
+        if (packet.slot_count >= most_slots_ || now - most_slots_at_ > kMostSlotsFor) {
+            most_slots_ = packet.slot_count;
+            most_slots_at_ = now;
+        }
     }
     if (hold) {
         auto& place = priorities ? held_priorities_ : held_levels_;
@@ -273,6 +289,9 @@ SourceStatus LevelSource::status(std::uint16_t universe, bool with_slots,
     status.per_address_priority = per_address_;
     status.highest_priority = priority();
     status.slot_count = slot_count_;
+    status.most_slots = most_slots_;
+    status.is_dark =
+        std::all_of(levels_.begin(), levels_.end(), [](std::uint8_t level) { return level == 0; });
     status.packets = packets_;
     status.out_of_sequence = out_of_sequence_;
     status.missed = missed_;
@@ -284,6 +303,8 @@ SourceStatus LevelSource::status(std::uint16_t universe, bool with_slots,
     status.late_hz = young ? window_.late / window_s : rates_hz_.late;
     status.has_gaps = has_gaps_;
     status.back_hz = young ? window_.back / window_s : rates_hz_.back;
+    status.port = lower_port_;
+    status.other_port = higher_port_;
     // One that came to another address, or its way back, is heard in one place at a time.
     if (double_ && last_way_ > double_->first && now - double_->last <= kDoubleForgotten)
         status.double_from = double_->from;

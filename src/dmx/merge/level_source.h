@@ -107,7 +107,7 @@ private:
     std::uint64_t heard_ = 0, packets_ = 0, out_of_sequence_ = 0, missed_ = 0, other_way_ = 0;
     struct Window {
         double packets = 0, late = 0, back = 0, odd = 0, missed = 0,
-               swapped = 0; // odd: after a gap or a step back
+               swapped = 0; // back: SourceStatus::back_hz; odd: after a gap or a step back
     };
     Window window_, rates_hz_; // counted since window_start_, and of the whole second before
     std::chrono::nanoseconds window_start_{0};
@@ -129,7 +129,11 @@ private:
         IpAddress from; // the other way
     };
     std::unique_ptr<Looks> looks_;
-    std::uint64_t look_ = 0, look_back_ = 0;     // of the newest levels, and of the newest that stepped back
+    std::uint64_t look_ = 0, look_back_ = 0; // of the newest levels, and of the newest that stepped back
+    std::uint16_t port_ = 0, lower_port_ = 0, higher_port_ = 0; // of the newest packet, and of two by turns
+    bool newest_is_levels_ = false;
+    std::uint16_t most_slots_ = 0; // of late
+    std::chrono::nanoseconds most_slots_at_{0};
     double interval_ms_ = 0.0, jitter_ms_ = 0.0; // means of the last 16 packets or so
 };
 

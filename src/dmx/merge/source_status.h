@@ -64,18 +64,23 @@ struct SourceStatus {
     std::uint8_t priority = 0;
     bool per_address_priority = false;
     std::uint8_t highest_priority = 0; // of its addresses; without such priorities the same
-    std::uint16_t slot_count = 0;
+    std::uint16_t slot_count = 0;      // of its newest packet
+    std::uint16_t most_slots = 0;      // of one in the last seconds
     std::uint64_t packets = 0;         // level packets used
     std::uint64_t out_of_sequence = 0; // dropped: late or twice
     std::uint64_t missed = 0;          // gaps in the sequence numbers
     std::uint64_t other_way = 0;       // dropped: came by another interface or from another address as well
     double rate_hz = 0.0;              // level packets per second over about the last second
     double late_hz = 0.0;              // of them that are dropped: late or twice
-    double back_hz = 0.0;              // of them whose number steps back to the look of the one before
-    bool has_gaps = false;             // most of its packets come after a gap in the numbers
-    double jitter_ms = 0.0;            // how far its packets come from an even beat, in the mean
+    // Of them that tell of two senders: their number (without numbers, their port) steps back to the look of
+    // the one before, or comes again with other levels.
+    double back_hz = 0.0;
+    std::uint16_t port = 0, other_port = 0; // that unnumbered ones come from by turns; 0: they do not
+    bool has_gaps = false;                  // most of its packets come after a gap in the numbers
+    double jitter_ms = 0.0;                 // how far its packets come from an even beat, in the mean
     // Whoever sends other packets in its name at the same time, from another address or by another interface.
     std::optional<IpAddress> double_from;
+    bool is_dark = false;            // nothing that it sends is above 0
     std::size_t slots_held = 0;      // of slot_count: where nobody on its universe ranks higher
     std::size_t slots_overruled = 0; // of slots_held: where another of its rank has another level that shows
     std::size_t slots_contested = 0; // of slots_overruled: where its own level is above 0

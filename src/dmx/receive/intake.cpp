@@ -52,6 +52,7 @@ void Intake::take_levels(Packet& packet, const Arrival& arrival) {
         ++entry.packets;
         return;
     }
+    packet.from_port = arrival.from_port;
     packet.interface_index = arrival.interface_index;
     packet.wrong_group = packet.protocol == Protocol::sacn && arrival.to.is_multicast() &&
                          arrival.to != sacn_group_address(packet.universe, !arrival.to.is_ipv4());

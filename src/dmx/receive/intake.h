@@ -30,6 +30,7 @@ struct IntakeOptions {
 struct Arrival {
     Protocol protocol = Protocol::sacn; // of the port
     IpAddress from, to;
+    std::uint16_t from_port = 0;
     unsigned interface_index = 0;
     bool own = false; // from one of our addresses and our port
     std::chrono::nanoseconds time{0};

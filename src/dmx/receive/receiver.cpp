@@ -211,7 +211,8 @@ void Receiver::Loop::send_replies(nanoseconds now) {
 }
 
 void Receiver::Loop::take(const Datagram& datagram, Protocol protocol) {
-    Arrival arrival{protocol, datagram.from, datagram.to, datagram.interface_index, false, datagram.time};
+    Arrival arrival{protocol, datagram.from, datagram.to, datagram.from_port, datagram.interface_index,
+                    false,    datagram.time};
     // A broadcast comes back to its sender. Only replies are judged by it: a desk on this machine may send
     // its levels from the very same address and port.
     arrival.own = protocol == Protocol::artnet && options.answer_polls &&
@@ -249,9 +250,9 @@ bool Receiver::Loop::was_paused() {
 bool Receiver::Loop::take_all() {
     return listener->drain([this](const Datagram& datagram, Protocol protocol) { take(datagram, protocol); },
                            [this](const Datagram& datagram, Protocol protocol) {
-                               intake.take_elsewhere(datagram.bytes,
-                                                     {protocol, datagram.from, datagram.to,
-                                                      datagram.interface_index, false, datagram.time});
+                               intake.take_elsewhere(
+                                   datagram.bytes, {protocol, datagram.from, datagram.to, datagram.from_port,
+                                                    datagram.interface_index, false, datagram.time});
                            });
 }
 

@@ -40,6 +40,7 @@ struct Packet {
     SourceKey source;
     std::string source_name;         // sACN: UTF-8 as sent, at most 63 bytes; USB: widget and port
     IpAddress from;                  // of the sender; none of USB
+    std::uint16_t from_port = 0;     // of the sender; 0 = not told
     unsigned interface_index = 0;    // where it came in; 0 = not told
     bool wrong_group = false;        // it came by the multicast group of another universe
     bool wrong_length = false;       // it declares more levels than came, or than 512

@@ -201,6 +201,8 @@ constexpr const char* kSentences[] = {
     QT_TRANSLATE_NOOP("Sentence", "%1 fixtures on %2 ('%3', ...), no levels arrive there"),
     QT_TRANSLATE_NOOP("Sentence", "%1 fixture on %2 ('%3'), no levels arrive there"),
     QT_TRANSLATE_NOOP("Sentence", "%1; packets arrive that cannot be read (%2)"),
+    QT_TRANSLATE_NOOP("Sentence", "%1; %2: packets without a single level"),
+    QT_TRANSLATE_NOOP("Sentence", "%1; %2: only priorities per address (start code 0xDD), no levels"),
     QT_TRANSLATE_NOOP("Sentence",
                       "nothing comes for %1 any more, since %2: black (--on-loss). Packets arrive that "
                       "cannot be read (%3): if they are its desk's, that has to be mended"),
@@ -238,13 +240,23 @@ constexpr const char* kSentences[] = {
                       "%1 come from more than one source of equal priority, %2, and they differ on up to %3: "
                       "%4. None of these is above 0 at two of them, so they may be meant to share"),
     QT_TRANSLATE_NOOP("Sentence",
+                      "%1 comes from more than one source of equal priority, %2, and they differ on up to "
+                      "%3: %4. %5 sends 0 alone: if that is a black-out, the others hide it"),
+    QT_TRANSLATE_NOOP("Sentence",
+                      "%1 come from more than one source of equal priority, %2, and they differ on up to %3: "
+                      "%4. %5 sends 0 alone: if that is a black-out, the others hide it"),
+    QT_TRANSLATE_NOOP("Sentence",
                       "two senders have one identity (CID) on %1: %2 and one at %3 that sends other packets. "
                       "The first is shown, the second is dropped. One is a copy of the other (a cloned disk, "
                       "a copied set-up): give it a CID of its own"),
     QT_TRANSLATE_NOOP(
-        "Sentence", "the numbers of the packets of %1 jump back and forth on %2: two programs send there as "
-                    "one, and now the look of this shows, now of that. Close one, or give it an identity "
-                    "(CID) of its own"),
+        "Sentence", "numbers of the packets of %1 jump back and forth, or come twice with other levels, on "
+                    "%2: two programs send there as one, and now the look of this shows, now of that. Close "
+                    "one, or give it an identity of its own (sACN: a CID, Art-Net: an address)"),
+    QT_TRANSLATE_NOOP("Sentence",
+                      "the packets of %1 on %2 come by turns from the ports %3 and %4: two programs send "
+                      "there as one, and now the look of this shows, now of that. Close one, or give it an "
+                      "identity of its own (sACN: a CID, Art-Net: an address)"),
     QT_TRANSLATE_NOOP("Sentence",
                       "%1 does not count its packets up on %2: %3 of %4 a second are dropped as late or "
                       "twice, for their sequence number stands still or counts down. The look follows in "
@@ -255,6 +267,8 @@ constexpr const char* kSentences[] = {
                       "%1 comes with %2, and %3 (%4) are patched past these: not patched on the desk?"),
     QT_TRANSLATE_NOOP("Sentence", "whoever changed a channel last has it (LTP, --artnet-merge)"),
     QT_TRANSLATE_NOOP("Sentence", "of each channel the higher level shows (HTP)"),
+    QT_TRANSLATE_NOOP("Sentence", "%1 channels (%2 in some packets)"),
+    QT_TRANSLATE_NOOP("Sentence", "%1 channel (%2 in some packets)"),
     QT_TRANSLATE_NOOP("Sentence", "%1 channels"),
     QT_TRANSLATE_NOOP("Sentence", "%1 channel"),
     QT_TRANSLATE_NOOP("Sentence", "%1 marks some of %2 as preview (blind), which is not shown: leave blind "

@@ -83,7 +83,7 @@ public:
     }
     void take(const std::vector<std::uint8_t>& bytes, const Sending& from) {
         const auto poll =
-            intake_.take(bytes, {from.protocol, from.from(), IpAddress(0x0A0000FFu), 2, false, now_});
+            intake_.take(bytes, {from.protocol, from.from(), IpAddress(0x0A0000FFu), 0, 2, false, now_});
         if (poll) (void)answers_.asked(*poll, from.from().ipv4(), 0x0A000063, now_);
     }
 

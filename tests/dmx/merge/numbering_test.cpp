@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <functional>
 #include <vector>
 
 namespace ghost::dmx {
@@ -119,6 +120,90 @@ TEST(Merge, who_sends_other_packets_under_the_same_identity) {
         merge.feed(packet, i * 25ms);
         EXPECT_FALSE(merge.sources(i * 25ms).at(0).double_from) << i;
     }
+}
+
+Packet unnumbered(std::uint8_t level, std::uint16_t port) {
+    Packet packet;
+    packet.protocol = Protocol::artnet;
+    packet.source.protocol = Protocol::artnet;
+    packet.source.id = {10, 0, 0, 7};
+    packet.universe = 1;
+    packet.slot_count = kSlots;
+    packet.slots[0] = level;
+    packet.from_port = port;
+    return packet;
+}
+
+SourceStatus after_two_seconds(const std::function<void(Merge&, int, nanoseconds)>& feed) {
+    Merge merge;
+    for (int i = 0; i < 88; ++i) {
+        feed(merge, i, i * 25ms);
+        merge.tick(i * 25ms);
+    }
+    return merge.sources(88 * 25ms).at(0);
+}
+
+TEST(Merge, two_programs_without_numbers_are_told_by_their_ports) {
+    const auto level = [](int i) { return static_cast<std::uint8_t>(i % 2 * 255); };
+    const SourceStatus two = after_two_seconds([](Merge& merge, int i, nanoseconds now) {
+        merge.feed(unnumbered(10, 6454), now);
+        merge.feed(unnumbered(static_cast<std::uint8_t>(100 + i), 40021), now);
+    });
+    EXPECT_NEAR(two.back_hz, 40.0, 2.0);
+    EXPECT_EQ(two.port, 6454);
+    EXPECT_EQ(two.other_port, 40021);
+    EXPECT_EQ(after_two_seconds([&](Merge& merge, int i, nanoseconds now) {
+                  merge.feed(unnumbered(level(i), 40021), now);
+              }).back_hz,
+              0.0)
+        << "one that flashes";
+    EXPECT_EQ(after_two_seconds([&](Merge& merge, int i, nanoseconds now) {
+                  merge.feed(unnumbered(level(i / 2), static_cast<std::uint16_t>(1025 + i * 7919 % 64000)),
+                             now);
+              }).back_hz,
+              0.0)
+        << "one that flashes and takes a new port for each packet";
+    EXPECT_EQ(after_two_seconds([](Merge& merge, int, nanoseconds now) {
+                  merge.feed(unnumbered(10, 6454), now);
+                  merge.feed(unnumbered(10, 40021), now);
+              }).back_hz,
+              0.0)
+        << "the same look by both";
+}
+
+TEST(Merge, one_number_with_two_looks_is_two_senders) {
+    Desk one{1}, other{1}, twice{1};
+    const auto with_level = [](Packet packet, std::uint8_t level) {
+        packet.slots[0] = level;
+        return packet;
+    };
+    EXPECT_NEAR(after_two_seconds([&](Merge& merge, int, nanoseconds now) {
+                    merge.feed(with_level(one.packet({2}), 9), now);
+                    merge.feed(with_level(other.packet({3}), 70), now);
+                }).back_hz,
+                40.0, 2.0);
+    EXPECT_EQ(after_two_seconds([&](Merge& merge, int, nanoseconds now) {
+                  const Packet packet = twice.packet({4});
+                  merge.feed(packet, now);
+                  merge.feed(packet, now);
+              }).back_hz,
+              0.0)
+        << "the network brings every packet twice";
+}
+
+TEST(Merge, the_most_slots_of_late_are_told) {
+    const auto with_slots = [](Merge& merge, int i, nanoseconds now) {
+        Packet packet = unnumbered(10, 6454);
+        packet.slot_count = i % 40 == 0 ? kSlots : 24;
+        merge.feed(packet, now);
+    };
+    const SourceStatus mixed = after_two_seconds(with_slots);
+    EXPECT_EQ(mixed.slot_count, 24);
+    EXPECT_EQ(mixed.most_slots, kSlots);
+    Merge merge;
+    with_slots(merge, 0, 0ms);
+    for (int i = 1; i < 40; ++i) with_slots(merge, i, i * 100ms);
+    EXPECT_EQ(merge.sources(4s).at(0).most_slots, 24) << "whole ones are long ago";
 }
 
 } // namespace

@@ -19,7 +19,7 @@ using Buffer = std::vector<std::uint8_t>;
 constexpr std::uint32_t kDesk = 0x0A000001, kOther = 0x0A000066;
 
 Arrival arrival(Protocol protocol, std::uint32_t from, nanoseconds now) {
-    return {protocol, from, 0x0A000005, 2, false, now};
+    return {protocol, from, 0x0A000005, 0, 2, false, now};
 }
 
 struct Sample {

@@ -38,7 +38,7 @@ def announcement(one):
 
 
 def artdmx(one, sequence, slots):
-    head = b"Art-Net\0" + struct.pack("<H", 0x5000) + bytes([0, one.get("version", 14), sequence % 255 + 1, 0])
+    head = b"Art-Net\0" + struct.pack("<H", 0x5000) + bytes([0, one.get("version", 14), 0 if one.get("unnumbered") else sequence % 255 + 1, 0])
     return head + struct.pack("<H", one["universe"]) + struct.pack(">H", len(slots)) + slots
 
 
@@ -57,7 +57,7 @@ for one in spec:
     slots = bytearray(one.get("slots", 512))
     for address, value in one["levels"].items():
         slots[int(address) - 1] = value
-    one["data"] = bytes(slots)
+    one["look"] = bytes(slots)
     one["sequence"] = one.get("first_number", 0)
     if "twin" in one:  # the same packets from another address, too
         twin = one["twin_out"] = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
@@ -77,6 +77,9 @@ count = 0
 while True:
     passed = time.monotonic() - start
     for one in spec:
+        one["data"] = bytes(len(one["look"])) if one.get("flashes") and count % 2 else one["look"]
+        if count % 40 != 0 and "short" in one:
+            one["data"] = one["data"][:one["short"]]
         if one.get("announces") and count % 40 == 0:
             send(one, announcement(one), group(64214), 5568)
         if one.get("silent"):
@@ -94,7 +97,7 @@ while True:
         one["sequence"] += 1
         number = one.get("number", one["sequence"] * one.get("step", 1))
         options, start_code, slots = one.get("options", 0), 0, one["data"]
-        if "per_address" in one and number % 5 == 1:
+        if "per_address" in one and (number % 5 == 1 or one.get("priorities_alone")):
             start_code, slots = 0xDD, bytes([one["per_address"]]) * 512
         if passed > one.get("bad_after_s", 1e9):
             one["priority"] = 250
