@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // ghostlight play: sends a recording as a desk would, sACN or Art-Net, or writes it, or a part of it, into a
 // file of any format that is written.
+#include "base/give_way.h"
 #include "base/interrupt.h"
 #include "base/log.h"
 #include "base/print.h"
@@ -146,6 +147,7 @@ int send(PlayOptions options) {
     auto sender = dmx::Sender::open(options.send);
     if (!sender.ok()) return failed(sender.error());
     catch_interrupts();
+    go_first(); // a look comes late where something else has the processor
     log_info(options.file + ": " + what);
     if (!options.timecode.begin.empty()) {
         const auto followed = follow_timecode(options, player, *sender);

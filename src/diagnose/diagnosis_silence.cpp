@@ -125,6 +125,14 @@ void add_held_back(const dmx::Statistics& statistics, const Arriving& arriving, 
             universes));
 }
 
+// "udp port 5568 or udp port 6454" of "5568 and 6454".
+std::string tcpdump_text(std::string ports) {
+    const std::string_view both = " and ";
+    if (const std::size_t place = ports.find(both); place != std::string::npos)
+        ports.replace(place, both.size(), " or udp port ");
+    return "udp port " + ports;
+}
+
 std::string joined_ports(bool sacn, bool artnet) {
     return std::string(sacn ? "5568" : "") + (sacn && artnet ? " and " : "") + (artnet ? "6454" : "");
 }
@@ -169,12 +177,14 @@ void add_nothing(const dmx::Statistics& statistics, const Arriving& arriving, co
     if (!listed.empty())
         text += "; " + arriving.announced_text(listed) +
                 (patch.universes().empty() ? ", which --universes can name" : "");
-    if (others.empty()) // else packets get through
+    if (others.empty())
+        text += ". A desk on this very machine has to send unicast to 127.0.0.1: multicast of QLC+ does not "
+                "come back here";
+    if (!ports.empty()) // else packets get through
         text +=
-            ". A desk on this very machine has to send unicast to 127.0.0.1: multicast of QLC+ does not "
-            "come back here"
-            ". To tell them apart: where 'tcpdump -ni any udp port 5568 or udp port 6454' shows "
-            "packets to an address of ours, to its broadcast or to 239.255, a firewall of this machine "
+            ". To tell them apart: where 'tcpdump -ni any " + tcpdump_text(ports) +
+            "' shows packets to an address of ours, to its broadcast or to 239.255, a firewall of this "
+            "machine "
             "drops them; where it shows none at all, they do not get here: a cable, another VLAN, a switch "
             "that holds multicast back (IGMP snooping without a querier), or a desk that is silent";
     out.push_back(problem(Trouble::nothing_arrives, text));

@@ -114,7 +114,10 @@ TEST(diagnosis, NothingArrives) {
     EXPECT_EQ(silent.text(Trouble::nothing_arrives).find("broadcasts to"), std::string::npos);
     silent.statistics.interfaces.pop_back();
     silent.statistics.notices[static_cast<std::size_t>(dmx::Notice::poll)] = 3;
-    expect_words(silent.text(Trouble::nothing_arrives), {"no levels arrive, though 3 other packets did (3 "});
+    silent.statistics.packets_artnet = 3;
+    expect_words(silent.text(Trouble::nothing_arrives),
+                 {"no levels arrive, though 3 other packets did (3 ", "firewall on UDP 5568 in",
+                  "'tcpdump -ni any udp port 5568' shows"});
     silent.statistics.recent.refused[static_cast<std::size_t>(dmx::Drop::too_short)] = 260;
     EXPECT_EQ(silent.troubles(), Troubles{Trouble::nothing_arrives});
     expect_words(silent.text(Trouble::nothing_arrives),
