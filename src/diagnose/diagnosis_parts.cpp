@@ -104,8 +104,7 @@ std::string source_text(const std::string& name, const std::string& place, dmx::
 std::string empty_text(const dmx::Statistics& statistics, const PatchMap& patch) {
     std::set<std::string> bare, priorities;
     for (const dmx::SourceStatus& source : statistics.sources)
-        if (!has_levels(source) && source.state != dmx::SourceState::silent &&
-            (patch.universes().empty() || patch.has(source.universe)))
+        if (!has_levels(source) && (patch.universes().empty() || patch.has(source.universe)))
             (source.packets > 0 ? bare : priorities)
                 .insert(source_text(source) + " on universe " + std::to_string(source.universe));
     std::string text;

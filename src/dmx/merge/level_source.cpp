@@ -206,7 +206,7 @@ void LevelSource::show(const Held& levels) {
     priority_ = levels.priority;
     levels_ = levels.slots;
     slot_count_ = levels.slot_count;
-    has_levels_ = true;
+    has_levels_ |= levels.slot_count > 0;
 }
 
 bool LevelSource::release() {

@@ -95,7 +95,7 @@ private:
     bool wrong_group_ = false, wrong_length_ = false;
     std::uint8_t priority_ = 100;
     Sequence sequence_;
-    bool has_levels_ = false; // a level packet was shown, so the slots mean something
+    bool has_levels_ = false; // a packet with levels was shown, so the slots mean something
     bool joined_ = false;
     bool per_address_ = false;
     std::uint16_t slot_count_ = 0;

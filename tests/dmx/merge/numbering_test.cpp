@@ -191,6 +191,16 @@ TEST(Merge, one_number_with_two_looks_is_two_senders) {
         << "the network brings every packet twice";
 }
 
+TEST(Merge, a_universe_without_a_single_slot_does_not_arrive) {
+    Merge merge;
+    Packet packet = unnumbered(10, 6454);
+    packet.slot_count = 0;
+    merge.feed(packet, 0ms);
+    EXPECT_TRUE(merge.universes().list.empty());
+    merge.feed(unnumbered(10, 6454), 25ms);
+    EXPECT_EQ(merge.universes().list.size(), 1u);
+}
+
 TEST(Merge, the_most_slots_of_late_are_told) {
     const auto with_slots = [](Merge& merge, int i, nanoseconds now) {
         Packet packet = unnumbered(10, 6454);

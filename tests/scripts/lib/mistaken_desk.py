@@ -57,7 +57,7 @@ for one in spec:
     slots = bytearray(one.get("slots", 512))
     for address, value in one["levels"].items():
         slots[int(address) - 1] = value
-    one["look"] = bytes(slots)
+    one["data"] = bytes(slots)
     one["sequence"] = one.get("first_number", 0)
     if "twin" in one:  # the same packets from another address, too
         twin = one["twin_out"] = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
@@ -77,9 +77,6 @@ count = 0
 while True:
     passed = time.monotonic() - start
     for one in spec:
-        one["data"] = bytes(len(one["look"])) if one.get("flashes") and count % 2 else one["look"]
-        if count % 40 != 0 and "short" in one:
-            one["data"] = one["data"][:one["short"]]
         if one.get("announces") and count % 40 == 0:
             send(one, announcement(one), group(64214), 5568)
         if one.get("silent"):
