@@ -172,6 +172,7 @@ void LevelSource::keep(const Packet& packet, bool hold, std::uint32_t stamp, std
     const Held held{packet.slots, packet.slot_count, packet.priority, stamp};
     if (priorities) {
         last_priorities_ = std::max(last_priorities_, now);
+        if (packets_ == 0) last_levels_ = std::max(last_levels_, now); // it is there, without levels
         joined_ = true; // nothing better is to come
     } else {
         if (packets_ > 0) measure_jitter(now - last_levels_);

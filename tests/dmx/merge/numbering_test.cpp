@@ -201,6 +201,19 @@ TEST(Merge, a_universe_without_a_single_slot_does_not_arrive) {
     EXPECT_EQ(merge.universes().list.size(), 1u);
 }
 
+TEST(Merge, who_sends_priorities_alone_stays) {
+    Merge merge;
+    Desk desk;
+    for (int i = 0; i < 240; ++i) {
+        merge.feed(desk.priorities({100}), i * 25ms);
+        merge.tick(i * 25ms);
+        ASSERT_EQ(merge.sources(i * 25ms).at(0).state, SourceState::live) << i;
+    }
+    merge.tick(9s);
+    EXPECT_TRUE(merge.sources(9s).empty());
+    EXPECT_TRUE(merge.universes().list.empty());
+}
+
 TEST(Merge, the_most_slots_of_late_are_told) {
     const auto with_slots = [](Merge& merge, int i, nanoseconds now) {
         Packet packet = unnumbered(10, 6454);
