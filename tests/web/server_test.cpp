@@ -74,6 +74,27 @@ TEST_F(WebServer, a_picture_comes_acknowledged_ones_are_followed_and_no_others) 
     EXPECT_EQ(newest[24], 32) << "the newest; what came meanwhile is skipped";
 }
 
+TEST_F(WebServer, pictures_that_come_slowly_are_not_at_rest) {
+    Peer peer(server->port());
+    ASSERT_EQ(peer.look_on(server->keys().token), 101);
+    int came = 0, at_rest = 0;
+    put_picture(64, 0); // nobody knows yet how fast others follow
+    for (int i = 1; i <= 5; ++i) {
+        std::this_thread::sleep_for(400ms);
+        put_picture(64, static_cast<std::uint8_t>(40 * i));
+        for (;;) {
+            const Buffer picture = peer.hear_bytes(1, 10ms);
+            if (picture.empty()) break;
+            peer.paint(number_of(picture));
+            ++came;
+            at_rest += (picture[1] & 4) != 0;
+        }
+    }
+    EXPECT_GE(came, 4);
+    EXPECT_LE(at_rest, 1);
+    EXPECT_EQ(peer.hear_bytes(1, 3s)[1] & 4, 4) << "the last one does rest";
+}
+
 TEST_F(WebServer, one_who_reads_nothing_holds_nobody_up) {
     Peer deaf(server->port()), quick(server->port());
     ASSERT_EQ(deaf.look_on(server->keys().token), 101);
