@@ -19,6 +19,7 @@
 #include "base/progress.h"
 #include "base/steady_time.h"
 
+#include <future>
 #include <memory>
 #include <optional>
 #include <string>
@@ -29,7 +30,7 @@ namespace {
 constexpr const char* kPaperFile = "instruments.csv"; // by which a folder is known as one of these
 
 // Of all the time, roughly.
-constexpr double kOpenedShare = 0.3, kStageShare = 0.4, kPlanShare = 0.6, kDrawnShare = 0.8;
+constexpr double kOpenedShare = 0.3, kStageShare = 0.4, kFocusShare = 0.6, kTablesShare = 0.8;
 
 struct PaperArguments {
     std::string show;
@@ -59,20 +60,29 @@ Result<std::optional<int>> scale_from(const std::string& text) {
     return std::optional<int>(std::stoi(digits));
 }
 
-Result<void> draw_plan(const PaperArguments& arguments, const scene::Show& show, const scene::Stage& stage,
-                       const WholeFolder& folder) {
+scene::PaperSize sheet_of(const PaperArguments& arguments) {
+    const std::string usual = arguments.size == "A4" ? "A3" : "Tabloid";
+    return scene::paper_named(arguments.sheet.empty() ? usual : arguments.sheet);
+}
+
+Result<scene::Drawings> draw_plan(const PaperArguments& arguments, const scene::Show& show,
+                                  const scene::Stage& stage) {
     scene::DrawingOptions options;
     options.style = arguments.print.style();
-    const std::string usual = arguments.size == "A4" ? "A3" : "Tabloid";
-    options.paper = scene::paper_named(arguments.sheet.empty() ? usual : arguments.sheet);
+    options.paper = sheet_of(arguments);
     TRY(options.scale, scale_from(arguments.scale));
     options.section_x_m = arguments.section_x_m;
     options.date = arguments.date;
-    TRY(const scene::Drawings drawings, scene::drawings_of(show, stage, options));
-    TRY_VOID(write_file_atomic(folder.written_to() / "plan.pdf", drawings.pdf));
-    log_info("plan at 1:" + std::to_string(drawings.plan_scale) + ", section at 1:" +
-             std::to_string(drawings.section_scale) + ": " + std::to_string(drawings.sheets) + " sheets of " +
-             std::string(scene::format_of(options.paper).name));
+    return scene::drawings_of(show, stage, options);
+}
+
+Result<void> write_plan(const Result<scene::Drawings>& drawn, scene::PaperSize paper,
+                        const WholeFolder& folder) {
+    if (!drawn.ok()) return drawn.error();
+    TRY_VOID(write_file_atomic(folder.written_to() / "plan.pdf", drawn->pdf));
+    log_info("plan at 1:" + std::to_string(drawn->plan_scale) +
+             ", section at 1:" + std::to_string(drawn->section_scale) + ": " + std::to_string(drawn->sheets) +
+             " sheets of " + std::string(scene::format_of(paper).name));
     return {};
 }
 
@@ -126,28 +136,34 @@ Result<void> make_paper(const PaperArguments& arguments) {
         log_error(done.error().text());
         failed = Error{"not all drawings could be made; the rest is written", arguments.out};
     };
-    if (arguments.plan) {
-        goes_on(kStageShare, "plan and section");
-        add(draw_plan(arguments, show, stage, folder), "plan.pdf", style("Plan") + ", " + style("Section"));
-        if (interrupted()) return interruption;
-    }
+    // Beside the rest, which takes as long.
+    std::future<Result<scene::Drawings>> plan;
+    if (arguments.plan)
+        plan = std::async(std::launch::async, [&] { return draw_plan(arguments, show, stage); });
+    std::optional<Result<void>> focus;
     if (arguments.focus) {
-        goes_on(kPlanShare, "focus charts");
-        add(draw_focus(arguments, show, stage, folder, report), "focus.pdf", style("Focus charts"));
+        goes_on(kStageShare, "focus charts");
+        focus = draw_focus(arguments, show, stage, folder, report);
         if (interrupted()) return interruption;
     }
-    goes_on(kDrawnShare, "tables");
-    progress.finish();
-    print_report(report);
+    goes_on(kFocusShare, "tables");
     const scene::Paper paper = scene::paper_of(show, style, arguments.circuit_w);
     for (const scene::PaperTable& table : paper.tables)
         TRY_VOID(write_file_atomic(folder.written_to() / (table.file + ".csv"), scene::csv_of(table)));
     const scene::PaperSize size = scene::paper_named(arguments.size);
-    TRY_VOID(write_file_atomic(folder.written_to() / "index.html", scene::html_of(paper, size, drawings)));
     if (arguments.pdf) {
         TRY(const std::string pdf, scene::pdf_of(paper, size));
         TRY_VOID(write_file_atomic(folder.written_to() / "paper.pdf", pdf));
+        if (interrupted()) return interruption;
     }
+    goes_on(kTablesShare, "plan and section");
+    if (plan.valid())
+        add(write_plan(plan.get(), sheet_of(arguments), folder), "plan.pdf",
+            style("Plan") + ", " + style("Section"));
+    if (focus) add(*focus, "focus.pdf", style("Focus charts"));
+    progress.finish();
+    print_report(report);
+    TRY_VOID(write_file_atomic(folder.written_to() / "index.html", scene::html_of(paper, size, drawings)));
     if (interrupted()) return interruption;
     TRY_VOID(folder.commit());
     log_info("wrote " + arguments.out + ": " + std::to_string(paper.tables.size()) + " tables of " +

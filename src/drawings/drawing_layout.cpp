@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 
 namespace ghost::scene {
 namespace {
@@ -145,6 +146,25 @@ void Drawing::place_symbols() {
                 symbol.box.include(symbol.place.at + x * symbol.place.size_pt.x * symbol.place.right +
                                    y * symbol.place.size_pt.y * symbol.place.front);
     }
+    hide_what_is_behind();
+}
+
+// Of a row of lamps in a section there is one to be seen; all of them would be ink upon ink.
+void Drawing::hide_what_is_behind() {
+    const auto before = [](const glm::dvec2& a, const glm::dvec2& b) {
+        return a.x != b.x ? a.x < b.x : a.y < b.y;
+    };
+    const auto bodies_before = [&](const DrawnSymbol* a, const DrawnSymbol* b) {
+        return std::lexicographical_compare(a->bodies.begin(), a->bodies.end(), b->bodies.begin(),
+                                            b->bodies.end(), [&](const auto& body, const auto& other) {
+                                                return std::lexicographical_compare(body.begin(), body.end(),
+                                                                                    other.begin(),
+                                                                                    other.end(), before);
+                                            });
+    };
+    std::set<const DrawnSymbol*, decltype(bodies_before)> seen(bodies_before);
+    for (auto symbol = symbols_.rbegin(); symbol != symbols_.rend(); ++symbol)
+        symbol->is_hidden = !symbol->bodies.empty() && !seen.insert(&*symbol).second;
 }
 
 // Of the fixture's own file.

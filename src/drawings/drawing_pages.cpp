@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <set>
 
 namespace ghost::scene {
 namespace {
@@ -64,6 +65,7 @@ void Drawing::draw_grid(const glm::dvec2& offset, const Extent2& window) {
 
 void Drawing::draw_lines(const glm::dvec2& offset, const Extent2& window) {
     for (const bool is_bar : {false, true}) {
+        std::set<std::array<double, 4>> drawn; // objects behind each other have equal lines
         std::vector<glm::dvec2> ends;
         for (const Outline& object : outlines_.objects) {
             if (rigging_.are_slender[object.instance] != is_bar) continue;
@@ -73,7 +75,7 @@ void Drawing::draw_lines(const glm::dvec2& offset, const Extent2& window) {
                 Extent2 line;
                 line.include(from);
                 line.include(to);
-                if (!line.touches(window)) continue;
+                if (!line.touches(window) || !drawn.insert({from.x, from.y, to.x, to.y}).second) continue;
                 ends.push_back(from);
                 ends.push_back(to);
             }
@@ -108,7 +110,7 @@ void Drawing::draw_rig(const glm::dvec2& offset, const Extent2& window) {
         pdf_.lines(std::array{middle + offset, end + offset}, kLeader);
     }
     for (const DrawnSymbol& symbol : symbols_) {
-        if (!moved(symbol.box).touches(window)) continue;
+        if (symbol.is_hidden || !moved(symbol.box).touches(window)) continue;
         SymbolPlace place = symbol.place;
         place.at += offset;
         if (!symbol.lines.empty()) {

@@ -160,12 +160,14 @@ private:
     void draw_squares(const glm::dvec2& middle, double across, const auto& paper) {
         const double step = step_of(across);
         const glm::dvec2 low = middle - 0.5 * across, high = middle + 0.5 * across;
+        std::vector<glm::dvec2> ends;
         for (double x = std::ceil(low.x / step) * step; x <= high.x; x += step)
-            pdf_.lines(std::array{paper({x, low.y}), paper({x, high.y})}, kSquare);
+            ends.insert(ends.end(), {paper({x, low.y}), paper({x, high.y})});
         for (double y = std::ceil(low.y / step) * step; y <= high.y; y += step)
-            pdf_.lines(std::array{paper({low.x, y}), paper({high.x, y})}, kSquare);
-        pdf_.lines(std::array{paper({0, low.y}), paper({0, high.y})}, kAxisLine);
-        pdf_.lines(std::array{paper({low.x, 0}), paper({high.x, 0})}, kAxisLine);
+            ends.insert(ends.end(), {paper({low.x, y}), paper({high.x, y})});
+        pdf_.lines(ends, kSquare);
+        pdf_.lines(std::array{paper({0, low.y}), paper({0, high.y}), paper({low.x, 0}), paper({high.x, 0})},
+                   kAxisLine);
     }
 
     // Where a square is not the one that the foot of the page names.

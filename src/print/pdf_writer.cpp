@@ -34,6 +34,7 @@ struct PdfWriter::Drawing {
     Freed<cairo_surface_t> surface{nullptr, cairo_surface_destroy};
     Freed<cairo_t> cairo{nullptr, cairo_destroy};
     PangoLayout* layout = nullptr;
+    Freed<PangoFontDescription> font{pango_font_description_from_string("Sans"), pango_font_description_free};
 
     ~Drawing() {
         if (layout) g_object_unref(layout);
@@ -55,11 +56,10 @@ PdfWriter::~PdfWriter() = default;
 
 void PdfWriter::set_text(const std::string& text, const PdfText& look) {
     PangoLayout* const layout = drawing_->layout;
-    const Freed<PangoFontDescription> font(pango_font_description_from_string("Sans"),
-                                           pango_font_description_free);
-    pango_font_description_set_absolute_size(font.get(), look.size_pt * PANGO_SCALE);
-    pango_font_description_set_weight(font.get(), look.is_bold ? PANGO_WEIGHT_BOLD : PANGO_WEIGHT_NORMAL);
-    pango_layout_set_font_description(layout, font.get());
+    PangoFontDescription* const font = drawing_->font.get();
+    pango_font_description_set_absolute_size(font, look.size_pt * PANGO_SCALE);
+    pango_font_description_set_weight(font, look.is_bold ? PANGO_WEIGHT_BOLD : PANGO_WEIGHT_NORMAL);
+    pango_layout_set_font_description(layout, font);
     const std::string shown = printable(text); // UTF-8, whatever a name holds
     pango_layout_set_text(layout, shown.data(), static_cast<int>(shown.size()));
     pango_layout_set_alignment(layout, look.is_right    ? PANGO_ALIGN_RIGHT

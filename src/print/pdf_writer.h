@@ -1,7 +1,8 @@
 #pragma once
 // SPDX-License-Identifier: Apache-2.0
 // PdfWriter: pages of text, lines, shapes and pictures as PDF, with embedded fonts of every script that the
-// machine has. Points, from the upper left corner. Equal calls give equal bytes. One thread at a time.
+// machine has. Points, from the upper left corner. Equal calls give equal bytes. One thread at a time; other
+// writers beside it on others.
 
 #include "base/result.h"
 #include "image/image.h"

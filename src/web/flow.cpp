@@ -28,7 +28,14 @@ int Flow::width() const {
 
 bool Flow::may_send(double now_s) const {
     if (calm_ && now_s - sent_s_ < kCalm_s) return false;
-    return on_the_way_.size() < (step_ == 0 ? kMostOnTheWay : 1);
+    return !is_full(now_s);
+}
+
+bool Flow::is_full(double now_s) const {
+    if (on_the_way_.empty()) return false;
+    const double ack_s = 1e-3 * ack_ms_;
+    const bool is_slower = ack_s > kLate_s || now_s - on_the_way_.front().sent_s >= ack_s;
+    return step_ > 0 || is_slower || on_the_way_.size() >= kMostOnTheWay;
 }
 
 void Flow::sent(std::uint32_t number, double now_s) {

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Flow: what one viewer gets of the pictures: the newest whenever few enough are on the way to him; what came
 // meanwhile is skipped and never waits in line, so a slow viewer sees fewer and smaller pictures, and none
-// that are old. Ration: the bytes that all viewers get together. Pure: times come in, in seconds of one
-// clock.
+// that are old: a second one follows only while the first is not slower than the one before. Ration: the
+// bytes that all viewers get together. Pure: times come in, in seconds of one clock.
 
 #include <cstdint>
 #include <deque>
@@ -18,6 +18,8 @@ public:
     // What the browser has room for, and whether it asks for calm: two pictures a second, against strobes.
     void want(int width, bool calm);
     bool may_send(double now_s) const;
+    // All that he may have at a time is on the way: what is sent now waits behind it.
+    bool is_full(double now_s) const;
     void sent(std::uint32_t number, double now_s);
     // The newest one comes once more.
     void send_again() { newest_ = 0; }

@@ -19,6 +19,7 @@ constexpr image::JpegQuality kAtRest{92, true}; // saturated beams smear where c
 void PicturePacker::put(ui::Picture picture, double drawn_ms, bool is_still) {
     if (!picture.image || picture.image->empty()) return;
     next_ = std::move(picture);
+    interval_s_ = 1e-3 * (drawn_ms - next_ms_);
     next_ms_ = drawn_ms;
     is_still_ = is_still;
 }
@@ -30,9 +31,13 @@ void PicturePacker::go_on(double now_s) {
         shown_ = std::exchange(next_, std::nullopt);
         shown_ms_ = next_ms_;
         begin(false, now_s);
-    } else if (shown_ && !at_rest_ && !shown_->is_coarse && now_s - shown_s_ >= kRest_s) {
+    } else if (shown_ && !at_rest_ && !shown_->is_coarse && now_s - shown_s_ >= rests_after_s()) {
         begin(true, now_s);
     }
+}
+
+double PicturePacker::rests_after_s() const {
+    return interval_s_ < kMoves_s ? std::max(kRest_s, 2 * interval_s_) : kRest_s;
 }
 
 void PicturePacker::begin(bool at_rest, double now_s) {

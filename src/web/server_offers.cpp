@@ -138,7 +138,7 @@ void ServerLoop::offer(Guest& guest) {
     if (guest.connection.unsent() > 0 || guest.connection.is_ending()) return;
     offer_news(guest);
     offer_picture(guest);
-    if (guest.viewer->wants_pictures) offer_small(guest);
+    if (guest.viewer->wants_pictures && !guest.viewer->flow.is_full(now_s())) offer_small(guest);
 }
 
 void ServerLoop::offer_news(Guest& guest) {
@@ -159,6 +159,9 @@ void ServerLoop::offer_news(Guest& guest) {
         guest.connection.put(looks_text_);
         viewer.looks = looks_version_;
     }
+    // What comes again and again would wait in line behind pictures that he has not painted, and the next
+    // picture behind it.
+    if (viewer.flow.is_full(now)) return;
     if (now - viewer.state_s >= kStateEvery_s) {
         viewer.state_s = now;
         guest.connection.put(state());

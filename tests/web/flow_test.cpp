@@ -18,19 +18,37 @@ double painted_after(Flow& flow, double begin_s, double takes_s, int count) {
 
 TEST(Flow, two_are_on_the_way_and_no_more) {
     Flow flow;
+    painted_after(flow, -1, 0.1, 1);
     EXPECT_TRUE(flow.may_send(0));
     flow.sent(1, 0);
     EXPECT_TRUE(flow.may_send(0));
+    EXPECT_FALSE(flow.is_full(0.01));
     flow.sent(2, 0.01);
+    EXPECT_TRUE(flow.is_full(0.01));
     EXPECT_FALSE(flow.may_send(1000)) << "time alone changes nothing: hidden tabs paint nothing";
     flow.painted(7, 0.02);
     EXPECT_FALSE(flow.may_send(0.02)) << "one that was never sent";
     flow.painted(2, 0.03);
     EXPECT_TRUE(flow.may_send(0.03));
+    EXPECT_FALSE(flow.is_full(0.03)) << "the first one was done with the second";
     flow.sent(3, 0.03);
-    EXPECT_TRUE(flow.may_send(0.03)) << "the first one was done with the second";
     flow.painted(2, 0.04);
     EXPECT_EQ(flow.newest(), 3u);
+}
+
+TEST(Flow, a_second_one_follows_only_while_the_first_is_not_slower_than_the_one_before) {
+    Flow flow;
+    flow.sent(1, 0);
+    EXPECT_FALSE(flow.may_send(0)) << "nothing is known of him yet";
+    flow.painted(1, 0.1);
+    flow.sent(2, 1);
+    EXPECT_TRUE(flow.may_send(1.09));
+    EXPECT_FALSE(flow.may_send(1.11)) << "his line has become slow, perhaps";
+    flow.painted(2, 1.3);
+    flow.sent(3, 2);
+    EXPECT_FALSE(flow.may_send(2.01)) << "he was late";
+    flow.painted(3, 2.05);
+    EXPECT_TRUE(flow.may_send(2.05));
 }
 
 TEST(Flow, who_is_late_gets_one_at_a_time_and_smaller_ones) {

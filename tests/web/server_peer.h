@@ -11,7 +11,11 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
+#include <chrono>
 #include <functional>
+#include <optional>
+#include <sys/socket.h>
 #include <thread>
 
 namespace ghost::web {
@@ -50,12 +54,17 @@ public:
             if (is_closed_) return false;
             const dmx::WaitFor wait{stream_->handle()};
             dmx::wait_for_streams({&wait, 1}, 20ms);
-            if (const auto came = stream_->read())
+            if (const auto came = bytes_per_s_ > 0 ? read_slowly() : stream_->read())
                 in_.insert(in_.end(), came->begin(), came->end());
             else
                 is_closed_ = true;
         }
         return holds();
+    }
+    // From now on that much at most.
+    void read_at(double bytes_per_s) {
+        bytes_per_s_ = bytes_per_s;
+        read_until_ = Clock::now();
     }
     // Says that nothing more comes from here, and goes on reading.
     void close_half() { stream_->finish(); }
@@ -173,9 +182,27 @@ public:
     }
 
 private:
+    std::optional<Bytes> read_slowly() {
+        constexpr double kLeastBytes = 200;
+        const double may_read =
+            bytes_per_s_ * std::chrono::duration<double>(Clock::now() - read_until_).count();
+        if (may_read < kLeastBytes) {
+            std::this_thread::sleep_for(5ms);
+            return Bytes{};
+        }
+        piece_.resize(static_cast<std::size_t>(std::min(may_read, 0.1 * bytes_per_s_)));
+        const auto came = ::recv(stream_->handle(), piece_.data(), piece_.size(), MSG_DONTWAIT);
+        if (came == 0) return std::nullopt;
+        read_until_ = Clock::now();
+        piece_.resize(static_cast<std::size_t>(std::max<ssize_t>(came, 0)));
+        return Bytes(piece_);
+    }
+
     std::uint16_t port_;
     std::unique_ptr<dmx::TcpStream> stream_;
-    Buffer in_;
+    Buffer in_, piece_;
+    double bytes_per_s_ = 0;       // 0: as it comes
+    Clock::time_point read_until_; // at that rate
     bool is_closed_ = false;
 };
 

@@ -59,17 +59,40 @@ TEST_F(WebServer, a_picture_comes_acknowledged_ones_are_followed_and_no_others) 
     EXPECT_EQ(image->height, 32);
     EXPECT_NEAR(image->at(20, 20)[0], 200, 4);
     EXPECT_LT(image->at(20, 20)[1], 6);
-    // At rest it comes once more, with all its colours: the second one, and the last before one is painted.
+    EXPECT_TRUE(peer.hear_bytes(1, 500ms).empty()) << "who painted nothing yet gets one";
+    peer.paint(number_of(first));
+    // At rest it comes once more, with all its colours.
     const Buffer rest = peer.hear_bytes(1);
     ASSERT_GT(rest.size(), 32u);
     EXPECT_EQ(rest[1] & 4, 4);
     put_picture();
     put_picture(32);
-    EXPECT_TRUE(peer.hear_bytes(1, 1s).empty()) << "two are on the way";
+    EXPECT_TRUE(peer.hear_bytes(1, 1s).empty()) << "one, or two, are on the way";
     peer.paint(number_of(rest));
     const Buffer newest = peer.hear_bytes(1);
     ASSERT_GT(newest.size(), 32u);
     EXPECT_EQ(newest[24], 32) << "the newest; what came meanwhile is skipped";
+}
+
+TEST_F(WebServer, pictures_that_come_slowly_are_not_at_rest) {
+    Peer peer(server->port());
+    ASSERT_EQ(peer.look_on(server->keys().token), 101);
+    int came = 0, at_rest = 0;
+    put_picture(64, 0); // nobody knows yet how fast others follow
+    for (int i = 1; i <= 5; ++i) {
+        std::this_thread::sleep_for(400ms);
+        put_picture(64, static_cast<std::uint8_t>(40 * i));
+        for (;;) {
+            const Buffer picture = peer.hear_bytes(1, 10ms);
+            if (picture.empty()) break;
+            peer.paint(number_of(picture));
+            ++came;
+            at_rest += (picture[1] & 4) != 0;
+        }
+    }
+    EXPECT_GE(came, 4);
+    EXPECT_LE(at_rest, 1);
+    EXPECT_EQ(peer.hear_bytes(1, 3s)[1] & 4, 4) << "the last one does rest";
 }
 
 TEST_F(WebServer, one_who_reads_nothing_holds_nobody_up) {

@@ -36,6 +36,7 @@ struct DrawnSymbol {
     std::vector<std::vector<glm::dvec2>> bodies; // in a section
     std::vector<FlatLine> lines;                 // in a plan, where the fixture's file has them
     Extent2 box;
+    bool is_hidden = false; // in a section: behind an equal one, which is drawn later
 };
 
 class Drawing {
@@ -56,6 +57,7 @@ private:
     }
     void place_symbols();
     void take_lines(const RiggedFixture& fixture, DrawnSymbol& symbol);
+    void hide_what_is_behind();
     Extent2 end_of(const Bar& bar, const glm::vec3& end_m) const;
     void place_bars(Labels& labels);
     void place_labels(Labels& labels);

@@ -31,7 +31,9 @@ public:
     Packed packed(int width);
 
 private:
-    static constexpr double kRest_s = 0.3; // without a newer picture
+    // Without a newer picture; where they come slowly, but come, twice as long as the next one is due.
+    static constexpr double kRest_s = 0.3, kMoves_s = 1;
+    double rests_after_s() const;
 
     void begin(bool at_rest, double now_s);
 
@@ -40,6 +42,7 @@ private:
     bool is_still_ = false;
     std::optional<ui::Picture> next_, shown_;
     double next_ms_ = 0, shown_ms_ = 0;
+    double interval_s_ = 1e9; // from the last picture but one to the last
     double shown_s_ = 0;
     bool at_rest_ = false;
     std::uint32_t number_ = 0;

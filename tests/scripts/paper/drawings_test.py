@@ -128,6 +128,16 @@ class Drawings(unittest.TestCase):
             left = min(min(a[0], b[0]) for a, b in lines)
             self.assertTrue(y > max(heights) or y + 6 < min(heights) or x + 20 < left, (page, x, y, heights))
 
+    def test_a_row_of_lamps_is_one_lamp_in_the_section(self):
+        drawn = []
+        for count in (1, 5):
+            rig = show(f"row_of_{count}", "".join(fixture(f"Spot {k + 1}", (-4 + 2 * k, 3, 5.8), 1 + 22 * k) for k in range(count)))
+            code, text = run("paper", rig, "-o", WORK / f"paper_of_{count}", "--plan", "--scale", "1:50")
+            self.assertEqual(code, 0, text)
+            drawn.append([len(segments(WORK / f"paper_of_{count}/plan.pdf", page)) for page in (1, 2)])
+        self.assertGreater(drawn[1][0], drawn[0][0], "five in the plan")
+        self.assertEqual(drawn[1][1], drawn[0][1])
+
     def test_up_stage_is_at_the_top_and_left_is_left(self):
         out = WORK / "ways"
         code, text = run("paper", self.show, "-o", out, "--plan")
