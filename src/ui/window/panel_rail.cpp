@@ -25,6 +25,8 @@ PanelRail::PanelRail(QMainWindow& window)
     setObjectName("rail");
     setMovable(false);
     setIconSize(QSize(kIcon_px, kIcon_px));
+    layout()->setContentsMargins(2, 1, 2, 1); // all buttons find room on a display of 768 pixels at scale 2
+    layout()->setSpacing(0);
     toggleViewAction()->setVisible(false); // the window's width says whether it is there
     window.addToolBar(Qt::LeftToolBarArea, this);
     window.installEventFilter(this);
@@ -61,7 +63,7 @@ void PanelRail::make_room(QDockWidget& panel) {
         const int most_px = window_.height() * (is_narrow_ ? 45 : 30) / 100;
         if (panel.height() > most_px) window_.resizeDocks({&panel}, {most_px}, Qt::Vertical);
     } else {
-        window_.resizeDocks({&panel}, {std::clamp(window_.width() * 30 / 100, 264, 320)}, Qt::Horizontal);
+        window_.resizeDocks({&panel}, {std::clamp(window_.width() * 30 / 100, 280, 320)}, Qt::Horizontal);
     }
 }
 
