@@ -12,7 +12,7 @@ namespace ghost::ui {
 namespace {
 
 constexpr double kLeastEv = -10, kMostEv = 20;
-constexpr int kCameraLetters = 11, kFewCameraLetters = 7;
+constexpr int kShortCamera_px = 96;
 constexpr int kMenuMargin_px = 17; // round a word, as Qt's style Fusion has it
 
 } // namespace
@@ -26,7 +26,7 @@ ViewBar::ViewBar(AppModel& app, Actions& actions, QMenuBar* menus)
     camera_->setToolTip(translated("View bar", "The cameras of the show: 1 to 9; Ctrl+K keeps this one"));
     camera_->setPlaceholderText(translated("View bar", "free camera"));
     camera_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-    camera_->setMinimumContentsLength(kCameraLetters); // a line of menus does not learn of another width
+    camera_->setMinimumContentsLength(11); // a line of menus does not learn of another width
     exposure_->setRange(kLeastEv, kMostEv);
     exposure_->setSingleStep(0.5);
     exposure_->setDecimals(1);
@@ -89,10 +89,10 @@ void ViewBar::leave_room() {
     const std::initializer_list<QWidget*> kSpare{strip_, tone_, automatic_};
     const auto is_wide = [&] { return words_px + sizeHint().width() > menus_.width(); };
     for (QWidget* const one : kSpare) one->show();
-    camera_->setMinimumContentsLength(kCameraLetters);
+    camera_->setMaximumWidth(QWIDGETSIZE_MAX);
     for (QWidget* const one : kSpare)
         if (is_wide()) one->hide();
-    if (is_wide()) camera_->setMinimumContentsLength(kFewCameraLetters);
+    if (is_wide()) camera_->setMaximumWidth(kShortCamera_px);
 }
 
 void ViewBar::name_cameras() {
