@@ -88,7 +88,7 @@ ValueRow::ValueRow(const QString& name, const ValueRange& range, QWidget* parent
 }
 
 int ValueRow::label_width(const QWidget& widget) {
-    return widget.fontMetrics().averageCharWidth() * 13;
+    return widget.fontMetrics().averageCharWidth() * 14;
 }
 
 int ValueRow::to_slider(double value) const {

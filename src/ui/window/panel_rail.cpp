@@ -63,7 +63,7 @@ void PanelRail::make_room(QDockWidget& panel) {
         const int most_px = window_.height() * (is_narrow_ ? 45 : 30) / 100;
         if (panel.height() > most_px) window_.resizeDocks({&panel}, {most_px}, Qt::Vertical);
     } else {
-        window_.resizeDocks({&panel}, {std::clamp(window_.width() * 30 / 100, 280, 320)}, Qt::Horizontal);
+        window_.resizeDocks({&panel}, {std::clamp(window_.width() * 30 / 100, 300, 320)}, Qt::Horizontal);
     }
 }
 
