@@ -25,6 +25,11 @@ public:
         painter->drawRect(option->rect.adjusted(0, 0, -1, -1));
         painter->restore();
     }
+    // Over all: where a box of buttons is no larger than they are, it would cut the ring round the focus.
+    int styleHint(StyleHint hint, const QStyleOption* option, const QWidget* widget,
+                  QStyleHintReturn* more) const override {
+        return hint == SH_FocusFrame_AboveWidget ? 1 : QProxyStyle::styleHint(hint, option, widget, more);
+    }
     QIcon standardIcon(StandardPixmap kind, const QStyleOption* option,
                        const QWidget* widget) const override {
         const bool is_down = kind == SP_ToolBarVerticalExtensionButton;
