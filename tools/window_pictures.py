@@ -26,14 +26,15 @@ WINDOWS = {
                                       'select "Wash *"\ncolour #5070ff\nintensity 1\nselect *\nlook-store Verse\nlook-recall Verse 0\n'
                                       "wait settled\nscreenshot {}\n"),
     "window-lux.jpg": ("1760x1100", "panel-looks on\ncamera close\nresolution 50\nfalse-colour lux\nprobe 520 790\nwait settled\nwait 2\nscreenshot {}\n"),
-    "guide-baking.jpg": ("1280x760", ALONE + "panel-export on\ncamera house\nwait settled\nbake house 64\nwait 12\nscreenshot {}\ncancel-jobs\n"),
+    "window-narrow.jpg": ("960x540", 'panel-programmer on\ncamera house\nselect "Spot 2"\nwait settled\nscreenshot {}\n'),
+    "guide-baking.jpg": ("1366x768", ALONE + "panel-export on\ncamera house\nwait settled\nbake house 64\nwait 12\nscreenshot {}\ncancel-jobs\n"),
     "guide-network.jpg": ("1760x760", ALONE + "panel-network on\ncamera house\nresolution 6\nwait 25\nreset-figures\nwait 10\nscreenshot {}\n"),
-    "guide-patching.jpg": ("1280x760", ALONE + 'camera house\nselect "Spot *"\naddress 2.101\nwait settled\nscreenshot {}\n'),
+    "guide-patching.jpg": ("1366x768", ALONE + 'camera house\nselect "Spot *"\naddress 2.101\nwait settled\nscreenshot {}\n'),
 }
 
 
 # What is cut out of the picture of the window: the panel alone.
-CROPS = {"guide-network.jpg": (314, 330, 1760, 692)}
+CROPS = {"guide-network.jpg": (286, 330, 1760, 692)}
 
 
 @contextlib.contextmanager

@@ -2280,6 +2280,10 @@
         <source>Cameras</source>
         <translation>Kameras</translation>
     </message>
+    <message>
+        <source>Panels</source>
+        <translation>Fenster</translation>
+    </message>
 </context>
 <context>
     <name>Parameter</name>

@@ -84,7 +84,7 @@ FixturePanel::FixturePanel(AppModel& app, ShowDocument& document, QWidget* paren
     group_->setToolTip(
         translated("Fixtures", "One type, layer or truss alone; Enter in the search selects what is listed"));
     group_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-    group_->setMinimumContentsLength(5);
+    group_->setMinimumContentsLength(7);
     dark_ = new QToolButton(this);
     dark_->setText(translated("Fixtures", "Dark"));
     dark_->setCheckable(true);

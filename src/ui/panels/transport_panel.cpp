@@ -35,11 +35,13 @@ TransportPanel::TransportPanel(AppModel& app, const Actions& actions, QWidget* p
     input_ = new QComboBox(this);
     input_->setAccessibleName(translated("Transport", "Input"));
     input_->setFocusPolicy(Qt::NoFocus);
+    input_->setMinimumWidth(fontMetrics().averageCharWidth() * 12); // a narrow window cuts its words
     input_->addItems({translated("Transport", "Desk, else recording"), translated("Transport", "Desk"),
                       translated("Transport", "Recording")});
     master_ = new QSlider(Qt::Horizontal, this);
     master_->setRange(0, 100);
-    master_->setFixedWidth(fontMetrics().averageCharWidth() * 16);
+    master_->setMinimumWidth(fontMetrics().averageCharWidth() * 8);
+    master_->setMaximumWidth(fontMetrics().averageCharWidth() * 16);
     master_->setAccessibleName(translated("Transport", "Master"));
     master_->setToolTip(translated("Transport", "Master: all light"));
     master_->setFocusPolicy(Qt::NoFocus);

@@ -12,12 +12,15 @@ namespace ghost::ui {
 namespace {
 
 constexpr double kLeastEv = -10, kMostEv = 20;
+constexpr int kShortCamera_px = 96;
+constexpr int kMenuMargin_px = 17; // round a word, as Qt's style Fusion has it
 
 } // namespace
 
-ViewBar::ViewBar(AppModel& app, Actions& actions, QWidget* parent)
-    : QWidget(parent), app_(app), camera_(new QComboBox(this)), exposure_(new QDoubleSpinBox(this)),
-      automatic_(new QToolButton(this)), tone_(new QComboBox(this)) {
+ViewBar::ViewBar(AppModel& app, Actions& actions, QMenuBar* menus)
+    : QWidget(menus), app_(app), menus_(*menus), camera_(new QComboBox(this)),
+      exposure_(new QDoubleSpinBox(this)), strip_(new QToolButton(this)), automatic_(new QToolButton(this)),
+      tone_(new QComboBox(this)) {
     setObjectName("view-bar");
     camera_->setAccessibleName(translated("View bar", "Camera"));
     camera_->setToolTip(translated("View bar", "The cameras of the show: 1 to 9; Ctrl+K keeps this one"));
@@ -37,9 +40,8 @@ ViewBar::ViewBar(AppModel& app, Actions& actions, QWidget* parent)
     tone_->setAccessibleName(translated("View bar", "Tone curve"));
     tone_->setToolTip(translated("View bar", "Tone curve (T)"));
     tone_->addItems({"AgX", "ACES", translated("View bar", "no curve")});
-    auto* strip = new QToolButton(this);
-    strip->setDefaultAction(actions.item("camera-strip"));
-    strip->setText(translated("View bar", "Strip"));
+    strip_->setDefaultAction(actions.item("camera-strip"));
+    strip_->setText(translated("View bar", "Strip"));
     auto* work_light = new QToolButton(this);
     work_light->setDefaultAction(actions.item("work-light"));
     work_light->setText(translated("View bar", "Work light"));
@@ -47,17 +49,17 @@ ViewBar::ViewBar(AppModel& app, Actions& actions, QWidget* parent)
     layout->setContentsMargins(0, 0, 4, 0);
     layout->setSpacing(4);
     for (QWidget* const one :
-         std::initializer_list<QWidget*>{camera_, strip, exposure_, automatic_, tone_, work_light}) {
+         std::initializer_list<QWidget*>{camera_, strip_, exposure_, automatic_, tone_, work_light}) {
         one->setFocusPolicy(one == exposure_ ? Qt::ClickFocus : Qt::NoFocus);
         layout->addWidget(one);
     }
     // The words of the menu are longer.
-    const auto keep_words = [this, strip, work_light] {
-        strip->setText(translated("View bar", "Strip"));
+    const auto keep_words = [this, work_light] {
+        strip_->setText(translated("View bar", "Strip"));
         automatic_->setText(translated("View bar", "Auto"));
         work_light->setText(translated("View bar", "Work light"));
     };
-    for (QToolButton* const button : {strip, automatic_, work_light})
+    for (QToolButton* const button : {strip_, automatic_, work_light})
         connect(button->defaultAction(), &QAction::changed, this, keep_words);
     connect(camera_, &QComboBox::activated, this,
             [&actions](int index) { actions.choose(QString("camera %1").arg(index + 1)); });
@@ -72,6 +74,25 @@ ViewBar::ViewBar(AppModel& app, Actions& actions, QWidget* parent)
     for (const auto signal : {&AppModel::wishes_changed, &AppModel::picture_came})
         connect(&app_, signal, this, &ViewBar::refresh);
     setEnabled(false);
+    menus_.installEventFilter(this);
+}
+
+bool ViewBar::eventFilter(QObject* object, QEvent* event) {
+    if (object == &menus_ && event->type() == QEvent::Resize) leave_room();
+    return false;
+}
+
+void ViewBar::leave_room() {
+    int words_px = kMenuMargin_px;
+    for (const QAction* const menu : menus_.actions())
+        words_px += menus_.fontMetrics().horizontalAdvance(menu->text()) + kMenuMargin_px;
+    const std::initializer_list<QWidget*> kSpare{strip_, tone_, automatic_};
+    const auto is_wide = [&] { return words_px + sizeHint().width() > menus_.width(); };
+    for (QWidget* const one : kSpare) one->show();
+    camera_->setMaximumWidth(QWIDGETSIZE_MAX);
+    for (QWidget* const one : kSpare)
+        if (is_wide()) one->hide();
+    if (is_wide()) camera_->setMaximumWidth(kShortCamera_px);
 }
 
 void ViewBar::name_cameras() {

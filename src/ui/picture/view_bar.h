@@ -8,6 +8,7 @@
 
 #include <QComboBox>
 #include <QDoubleSpinBox>
+#include <QMenuBar>
 #include <QToolButton>
 #include <QWidget>
 
@@ -16,15 +17,22 @@ namespace ghost::ui {
 class ViewBar : public QWidget {
     Q_OBJECT
 public:
-    ViewBar(AppModel& app, Actions& actions, QWidget* parent);
+    ViewBar(AppModel& app, Actions& actions, QMenuBar* menus);
+
+protected:
+    bool eventFilter(QObject* object, QEvent* event) override;
 
 private:
+    // Menus come first in a narrow window: what they have, too, goes from here.
+    void leave_room();
     void name_cameras();
     void refresh();
 
     AppModel& app_;
+    QMenuBar& menus_;
     QComboBox* camera_;
     QDoubleSpinBox* exposure_;
+    QToolButton* strip_;
     QToolButton* automatic_;
     QComboBox* tone_;
     bool follows_ = false; // it is being set, not moved

@@ -19,9 +19,10 @@ constexpr int kParameterSteps = 1020; // of the slider: four to a value of eight
 } // namespace
 
 ParameterRow::ParameterRow(const HeadParameter& parameter, QWidget* parent)
-    : QWidget(parent), label_(new QLabel(parameter.name, this)), slider_(new QSlider(Qt::Horizontal, this)),
+    : QWidget(parent), label_(new QLabel(this)), slider_(new QSlider(Qt::Horizontal, this)),
       meaning_(new QToolButton(this)), release_(new QToolButton(this)) {
     label_->setFixedWidth(ValueRow::label_width(*this));
+    label_->setText(label_->fontMetrics().elidedText(parameter.name, Qt::ElideRight, label_->width()));
     label_->setToolTip(parameter.name + " (" + QString::fromStdString(parameter.attribute) + ")");
     slider_->setRange(0, kParameterSteps);
     slider_->setMinimumWidth(40);

@@ -11,8 +11,8 @@ namespace ghost::ui {
 
 namespace {
 
-// Fusion, the same on every system; its box to tick has an outline darker than the window, which a dark room
-// swallows.
+// Fusion, the same on every system; its box to tick has an outline darker than the window, and its button for
+// what finds no room in a line is as dark, which a dark room swallows.
 class Theme : public QProxyStyle {
 public:
     Theme() : QProxyStyle(QStyleFactory::create("Fusion")) {}
@@ -24,6 +24,27 @@ public:
         painter->setPen(option->palette.color(QPalette::PlaceholderText));
         painter->drawRect(option->rect.adjusted(0, 0, -1, -1));
         painter->restore();
+    }
+    // Over all: where a box of buttons is no larger than they are, it would cut the ring round the focus.
+    int styleHint(StyleHint hint, const QStyleOption* option, const QWidget* widget,
+                  QStyleHintReturn* more) const override {
+        return hint == SH_FocusFrame_AboveWidget ? 1 : QProxyStyle::styleHint(hint, option, widget, more);
+    }
+    QIcon standardIcon(StandardPixmap kind, const QStyleOption* option,
+                       const QWidget* widget) const override {
+        const bool is_down = kind == SP_ToolBarVerticalExtensionButton;
+        if (!is_down && kind != SP_ToolBarHorizontalExtensionButton)
+            return QProxyStyle::standardIcon(kind, option, widget);
+        QPixmap picture(64, 64);
+        picture.fill(Qt::transparent);
+        QPainter painter(&picture);
+        painter.setRenderHint(QPainter::Antialiasing);
+        painter.setPen(QPen(QGuiApplication::palette().color(QPalette::ButtonText), 6));
+        for (const int at : {14, 32}) {
+            const QPolygon right({{at, 16}, {at + 16, 32}, {at, 48}});
+            painter.drawPolyline(is_down ? QTransform(0, 1, 1, 0, 0, 0).map(right) : right);
+        }
+        return picture;
     }
 };
 

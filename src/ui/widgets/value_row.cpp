@@ -63,7 +63,7 @@ ValueRow::ValueRow(const QString& name, const ValueRange& range, QWidget* parent
     field_->setSuffix(range.unit);
     field_->setKeyboardTracking(false);
     field_->setAccessibleName(name);
-    field_->setFixedWidth(fontMetrics().averageCharWidth() * 13);
+    field_->setFixedWidth(fontMetrics().averageCharWidth() * 13 + 4);
     release_->setText("\u21BA"); // back
     release_->setToolTip(translated("Value", "Give it back to the show and the desk"));
     release_->setEnabled(false);
@@ -88,7 +88,7 @@ ValueRow::ValueRow(const QString& name, const ValueRange& range, QWidget* parent
 }
 
 int ValueRow::label_width(const QWidget& widget) {
-    return widget.fontMetrics().averageCharWidth() * 12;
+    return widget.fontMetrics().averageCharWidth() * 14;
 }
 
 int ValueRow::to_slider(double value) const {

@@ -37,6 +37,7 @@
 #include "ui/window/print_dialog.h"
 #include "ui/window/private/meter_actions.h"
 #include "ui/window/private/notice_bar.h"
+#include "ui/window/private/panel_rail.h"
 #include "ui/window/private/welcome.h"
 
 #include <QApplication>
@@ -84,6 +85,7 @@ Window::Window(Link& link, const WindowOptions& options)
     statusBar()->addPermanentWidget(status_device_);
     actions_.complain = [this](const Error& error) { say(QString::fromStdString(error.text()), 8000); };
     cues_.complain = actions_.complain;
+    rail_ = new PanelRail(*this);
     add_panels();
     add_strip();
     add_window_actions();
@@ -157,7 +159,8 @@ Window::Window(Link& link, const WindowOptions& options)
                        "[*] - Ghostlight");
         if (app_.opened().is_edit) return;
         plot_is_new_ = !app_.opened().again && !app_.show()->plot_file.empty();
-        end_waiting();
+        rail_->wait_for_show(false);
+        if (!isFullScreen()) transport_->show();
         begin_where_there_is_light();
         view_->setFocus();
         if (!options_.remembers || !QSettings().contains("layout version"))
@@ -223,12 +226,20 @@ Window::Window(Link& link, const WindowOptions& options)
         resize(asked); // while panels changed places they needed more
     }
     new Welcome(actions_, app_, recent_, !options_.demo.empty(), view_);
-    if (options_.show.empty()) wait_for_show();
+    connect(rail_, &PanelRail::came_back, this, [this] {
+        if (has_first_layout_) share_columns();
+    });
+    if (options_.show.empty()) {
+        rail_->wait_for_show(true);
+        transport_->hide();
+    }
+    rail_->fit();
     actions_.refresh();
 }
 
 // Qt closes a window that goes, and its panels would speak to what went before them.
 Window::~Window() {
+    delete rail_;
     strip_->disconnect(this);
     delete strip_; // while there are panels: it says that it goes
     for (QDockWidget* const panel : findChildren<QDockWidget*>()) {
@@ -245,6 +256,7 @@ QDockWidget* Window::add_panel(const QString& name, const QString& title, QWidge
     dock->setWidget(new PanelArea(panel, dock));
     addDockWidget(area, dock);
     docks_.push_back(dock);
+    rail_->add(*dock);
     const QString key = docks_.size() <= 9 ? QString("Ctrl+%1").arg(docks_.size()) : QString();
     actions_.add({"panel-" + name, "Panels", title, key, "[on|off]",
                   [this, dock](const QStringList& words) -> Result<void> {
@@ -252,21 +264,12 @@ QDockWidget* Window::add_panel(const QString& name, const QString& title, QWidge
                       const bool is_seen = dock->isVisible() && !dock->visibleRegion().isEmpty();
                       dock->setVisible(words.isEmpty() ? !is_seen : words[0] == "on");
                       if (dock->isVisible()) dock->raise();
-                      if (dock->isVisible()) keep_low(*dock);
+                      if (dock->isVisible()) rail_->make_room(*dock);
                       return {};
                   },
                   [dock] { return dock->isVisible(); }});
     connect(dock, &QDockWidget::visibilityChanged, this, [this] { actions_.refresh(); });
     return dock;
-}
-
-// The picture stays the larger part where a panel below it comes for the first time.
-void Window::keep_low(QDockWidget& dock) {
-    const bool is_below = dockWidgetArea(&dock) == Qt::BottomDockWidgetArea && !dock.isFloating();
-    if (!is_below || !came_below_.insert(&dock).second) return;
-    layout()->activate();
-    const int most_px = height() * 3 / 10;
-    if (dock.height() > most_px) resizeDocks({&dock}, {most_px}, Qt::Vertical);
 }
 
 void Window::add_panels() {
@@ -302,10 +305,7 @@ void Window::add_panels() {
     air_panel->complain = actions_.complain;
     QDockWidget* air = add_panel("air", translated("Panel", "Air"), air_panel, Qt::RightDockWidgetArea);
     tabifyDockWidget(exports, air);
-    connect(scene_panel, &ScenePanel::asks_for_air, air, [air] {
-        air->show();
-        air->raise();
-    });
+    connect(scene_panel, &ScenePanel::asks_for_air, this, [this] { actions_.choose("panel-air on"); });
     connect(scene_panel, &ScenePanel::asks_for, this, [this](const QString& line) { actions_.choose(line); });
     connect(scene_panel, &ScenePanel::asks_to_hang, this, [this](std::size_t object) {
         if (const Result<void> done = hang_under(app_, document_, object); !done.ok())
@@ -329,6 +329,9 @@ void Window::add_panels() {
     network->hide();
     messages->hide();
     setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
+    for (const char* const name : {"fixtures", "programmer", "values", "looks", "cues", "scene", "air",
+                                   "plot", "network", "messages", "export", "browsers"})
+        if (QAction* const toggle = actions_.item(QString("panel-") + name)) rail_->add_button(name, *toggle);
 }
 
 QDockWidget* Window::add_browsers(web::Browsers& browsers) {
@@ -341,11 +344,7 @@ QDockWidget* Window::add_browsers(web::Browsers& browsers) {
                   translated("Action", "In browsers..."),
                   "",
                   "",
-                  [dock](const QStringList&) -> Result<void> {
-                      dock->show();
-                      dock->raise();
-                      return {};
-                  },
+                  [this](const QStringList&) { return actions_.run("panel-browsers on"); },
                   {}});
     return dock;
 }
@@ -368,47 +367,26 @@ void Window::add_strip() {
 
 // The picture first: of a window of 1366x768, 1920x1080 and 2560x1440 it has 60, 70 and 75 %.
 void Window::lay_out() {
-    const int column_px = std::clamp(width() * 22 / 100, 264, 330);
-    QDockWidget* const list = docks_.front();
     const auto dock = [this](const char* name) { return findChild<QDockWidget*>(name); };
     if (width() < kTwoColumnsFrom_px) {
-        splitDockWidget(list, dock("values"), Qt::Vertical);
+        splitDockWidget(docks_.front(), dock("values"), Qt::Vertical);
         for (const char* const name :
              {"programmer", "plot", "scene", "looks", "cues", "export", "air", "browsers"})
             if (dock(name)) tabifyDockWidget(dock("values"), dock(name));
         dock("programmer")->raise();
-        resizeDocks({list}, {column_px}, Qt::Horizontal);
-        share_column();
-    } else {
-        resizeDocks({list, dock("programmer")}, {240, 260}, Qt::Horizontal);
     }
+    share_columns();
 }
 
-// The list of fixtures and what lies below it.
-void Window::share_column() {
+void Window::share_columns() {
+    QDockWidget* const list = docks_.front();
     auto* const below = findChild<QDockWidget*>("programmer");
-    if (width() < kTwoColumnsFrom_px)
-        resizeDocks({docks_.front(), below}, {height() * 4 / 10, height() * 5 / 10}, Qt::Vertical);
-}
-
-// Panels round a picture that is not there help nobody.
-void Window::wait_for_show() {
-    for (QDockWidget* const one : docks_) {
-        if (one->isHidden()) continue;
-        docks_waiting_.push_back(one);
-        one->hide();
+    if (width() < kTwoColumnsFrom_px) {
+        resizeDocks({list}, {std::clamp(width() * 16 / 100, 275, 330)}, Qt::Horizontal);
+        resizeDocks({list, below}, {height() * 4 / 10, height() * 5 / 10}, Qt::Vertical);
+    } else {
+        resizeDocks({list, below}, {235, 255}, Qt::Horizontal);
     }
-    transport_->hide();
-}
-
-void Window::end_waiting() {
-    for (QDockWidget* const one : docks_waiting_) one->show();
-    for (QDockWidget* const one : docks_waiting_)
-        if (one->objectName() == "programmer") one->raise();
-    // Columns that were hidden come back with other shares.
-    if (!docks_waiting_.empty() && has_first_layout_) share_column();
-    docks_waiting_.clear();
-    if (!isFullScreen()) transport_->show();
 }
 
 void Window::begin_where_there_is_light() {
@@ -547,7 +525,7 @@ void Window::closeEvent(QCloseEvent* event) {
     if (options_.remembers)
         QSettings().setValue("tone", QString::fromStdString(image::name_of(app_.request().tone)));
     if (options_.remembers && !isFullScreen()) {
-        end_waiting(); // panels that waited are part of the layout
+        rail_->put_back(); // panels that waited are part of the layout
         QSettings settings;
         settings.setValue("layout version", kLayoutVersion);
         settings.setValue("geometry", saveGeometry());

@@ -27,14 +27,13 @@
 #include <QMainWindow>
 #include <QToolBar>
 
-#include <set>
-
 namespace ghost::ui {
 
 class CuePanel;
 class FixturePanel;
 class LookPanel;
 class NoticeBar;
+class PanelRail;
 class ProgrammerPanel;
 
 class Window : public QMainWindow {
@@ -63,10 +62,7 @@ private:
     void add_languages();
     bool asks_to_close();
     void lay_out();
-    void share_column();
-    void keep_low(QDockWidget& dock);
-    void wait_for_show();
-    void end_waiting();
+    void share_columns();
     void begin_where_there_is_light();
     void say_done(const Action& action);
     void say_hand_taken();
@@ -106,11 +102,10 @@ private:
     LookPanel* look_list_ = nullptr;
     CuePanel* cue_table_ = nullptr;
     std::vector<QDockWidget*> docks_;
-    bool has_first_layout_ = false;           // not that of an earlier time
-    std::vector<QDockWidget*> docks_waiting_; // shown with the first show
-    std::set<const QDockWidget*> came_below_; // once, or more
-    std::vector<bool> docks_shown_;           // before full screen
-    std::vector<QDockWidget*> in_front_;      // likewise, of those behind one another
+    PanelRail* rail_ = nullptr;
+    bool has_first_layout_ = false;      // not that of an earlier time
+    std::vector<bool> docks_shown_;      // before full screen
+    std::vector<QDockWidget*> in_front_; // likewise, of those behind one another
     NoticeBar* notice_ = nullptr;
     QToolBar* transport_ = nullptr;
     QToolBar* strip_ = nullptr;                         // of cameras

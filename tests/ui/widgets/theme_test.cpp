@@ -4,7 +4,13 @@
 #include "support/test_window.h"
 #include "ui/widgets/theme.h"
 
+#include <QDialog>
+#include <QDialogButtonBox>
+#include <QFocusFrame>
 #include <QPalette>
+#include <QPushButton>
+#include <QStyle>
+#include <QVBoxLayout>
 
 #include <cmath>
 
@@ -55,6 +61,38 @@ TEST(Theme, the_ring_of_the_focus_is_seen_on_every_ground) {
     set_theme(*qApp);
     for (const QPalette::ColorRole ground : {QPalette::Window, QPalette::Base, QPalette::Button})
         EXPECT_GE(contrast(accent(), qApp->palette().color(ground)), 3);
+}
+
+// A box of buttons is no larger than they are.
+TEST(Theme, the_ring_of_the_focus_is_whole_round_the_buttons_of_a_dialog) {
+    set_theme(*qApp);
+    QDialog dialog;
+    auto* const layout = new QVBoxLayout(&dialog);
+    auto* const box = new QDialogButtonBox(QDialogButtonBox::Save | QDialogButtonBox::Cancel, &dialog);
+    layout->addWidget(box);
+    dialog.show();
+    QFocusFrame ring(&dialog);
+    ring.setWidget(box->button(QDialogButtonBox::Save));
+    settle();
+    ASSERT_TRUE(ring.isVisible());
+    EXPECT_EQ(ring.visibleRegion().boundingRect(), ring.rect());
+}
+
+// Arrows of what finds no room in a line are light on dark.
+TEST(Theme, the_arrows_for_more_are_seen) {
+    set_theme(*qApp);
+    for (const QStyle::StandardPixmap kind :
+         {QStyle::SP_ToolBarHorizontalExtensionButton, QStyle::SP_ToolBarVerticalExtensionButton}) {
+        const QImage arrows = qApp->style()->standardIcon(kind).pixmap(16, 16).toImage();
+        int light = 0;
+        for (int y = 0; y < arrows.height(); ++y)
+            for (int x = 0; x < arrows.width(); ++x) {
+                const QColor pixel = arrows.pixelColor(x, y);
+                light +=
+                    pixel.alpha() > 128 && contrast(pixel, qApp->palette().color(QPalette::Window)) >= 4.5;
+            }
+        EXPECT_GT(light, 10);
+    }
 }
 
 } // namespace

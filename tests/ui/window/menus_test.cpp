@@ -274,7 +274,7 @@ TEST(CameraStrip, has_the_pictures_that_came_and_a_click_goes_there) {
 }
 
 TEST(FirstScreen, three_ways_to_a_show_and_no_panels_until_one_is_there) {
-    InWindow in({.demo = "assets/demo", .remembers = false, .width = 900, .height = 600});
+    InWindow in({.demo = "assets/demo", .remembers = false, .width = 1366, .height = 768}); // has columns
     auto* const welcome = in.window.findChild<QWidget*>("welcome");
     ASSERT_TRUE(welcome);
     EXPECT_TRUE(welcome->isVisible());
