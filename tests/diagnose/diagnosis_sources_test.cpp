@@ -1,0 +1,252 @@
+// SPDX-License-Identifier: Apache-2.0
+// What is said of sources that arrive: blind, ranked, in a fight, one of two, without levels, late.
+#include "support/diagnosed_network.h"
+
+namespace ghost::scene {
+namespace {
+
+using namespace diagnosed_trial;
+
+TEST(diagnosis, PreviewIsNotShown) {
+    Network network({1});
+    network.statistics.ignored = {
+        {1, dmx::Protocol::sacn, dmx::IgnoredSource::Why::preview, "Eos", dmx::IpAddress(kOurs), 4, 0s}};
+    EXPECT_EQ(network.troubles(), Troubles{Trouble::preview});
+    expect_words(network.text(Trouble::preview),
+                 {"'Eos' (192.168.1.5)", "universe 1", "blind", "--show-preview"});
+}
+
+TEST(diagnosis, ALowerPriority) {
+    Network network({1});
+    network.sends({1});
+    dmx::SourceStatus backup = source(1, dmx::Protocol::sacn, 0);
+    backup.name = "Backup";
+    backup.id[0] = '2';
+    backup.priority = 90;
+    network.statistics.sources.push_back(backup);
+    ASSERT_EQ(network.troubles(), Troubles{Trouble::low_priority});
+    EXPECT_FALSE(network.sentences()[0].is_problem);
+    expect_words(network.text(Trouble::low_priority), {"'Backup' (192.168.1.7) (priority 90)",
+                                                       "'Desk' (192.168.1.7) (priority 100) has a higher"});
+    const auto& all = network.statistics.sources;
+    EXPECT_EQ(role_text(all[0], all), "shown");
+    EXPECT_EQ(role_text(all[1], all), "lower priority");
+}
+
+TEST(diagnosis, TwoDesksThatFight) {
+    Network network({1});
+    network.sends({1}).sends({1});
+    dmx::SourceStatus& other = network.statistics.sources[1];
+    other.id[0] = '2';
+    other.name = "Other";
+    other.rate_hz = 44;
+    EXPECT_EQ(network.troubles(), Troubles{}) << "a backup that sends the same";
+    other.slots_overruled = 12;
+    ASSERT_EQ(network.troubles(), Troubles{Trouble::two_desks});
+    EXPECT_FALSE(network.sentences()[0].is_problem) << "each has channels of its own";
+    expect_words(network.text(Trouble::two_desks), {"may be meant to share"});
+    other.slots_contested = 1;
+    EXPECT_TRUE(network.sentences()[0].is_problem);
+    expect_words(network.text(Trouble::two_desks),
+                 {"universe 1 comes", "'Desk' (192.168.1.7) with 512 slots", "'Other' (192.168.1.7)",
+                  "at 44 Hz", "up to 12 channels", "HTP"});
+    for (dmx::SourceStatus& one : network.statistics.sources) one.protocol = dmx::Protocol::artnet;
+    network.statistics.listening.artnet_ltp = true;
+    expect_words(network.text(Trouble::two_desks), {"LTP"});
+}
+
+TEST(diagnosis, ALowerPriorityOfEachAddress) {
+    Network network({1});
+    network.sends({1});
+    dmx::SourceStatus backup = source(1, dmx::Protocol::sacn, 0);
+    backup.name = "Backup";
+    backup.id[0] = '2';
+    backup.priority = 150;
+    backup.per_address_priority = true;
+    backup.highest_priority = 50;
+    network.statistics.sources.push_back(backup);
+    expect_words(network.text(Trouble::low_priority),
+                 {"(priority 50 at most, one for each address) is not shown", "(priority 100) has a higher"});
+}
+
+TEST(diagnosis, TwoSendersThatAreOneByTheirIdentity) {
+    Network network({1});
+    network.sends({1});
+    dmx::SourceStatus& desk = network.statistics.sources[0];
+    desk.rate_hz = 44;
+    desk.double_from = dmx::IpAddress(0xC0A80108);
+    EXPECT_EQ(network.troubles(), Troubles{Trouble::same_identity});
+    expect_words(network.text(Trouble::same_identity),
+                 {"'Desk' (192.168.1.7)", "one at 192.168.1.8", "universe 1", "CID"});
+    desk.double_from.reset();
+    desk.back_hz = 1;
+    EXPECT_EQ(network.troubles(), Troubles{}) << "it was started anew";
+    desk.back_hz = 20;
+    EXPECT_EQ(network.troubles(), Troubles{Trouble::same_identity});
+    expect_words(network.text(Trouble::same_identity), {"'Desk' (192.168.1.7)", "back and forth"});
+    desk.port = 6454;
+    desk.other_port = 40021;
+    expect_words(network.text(Trouble::same_identity),
+                 {"by turns from the ports 6454 and 40021", "two programs"});
+    desk.late_hz = 44;
+    desk.rate_hz = 0.4;
+    EXPECT_EQ(network.troubles(), Troubles{Trouble::numbering})
+        << "one number that stands still, other levels";
+}
+
+TEST(diagnosis, PacketsWithoutLevels) {
+    Network network({1});
+    network.sends({1});
+    dmx::SourceStatus& desk = network.statistics.sources[0];
+    desk.slot_count = 0;
+    desk.slots_held = 0;
+    EXPECT_EQ(network.troubles(), Troubles{Trouble::nothing_arrives});
+    expect_words(network.text(Trouble::nothing_arrives),
+                 {"'Desk' (192.168.1.7) on universe 1: only priorities per address"});
+    desk.packets = 400;
+    expect_words(network.text(Trouble::nothing_arrives), {"packets without a single level"});
+    Network beside({1, 2});
+    beside.sends({1, 2});
+    beside.statistics.sources[1].slot_count = 0;
+    beside.statistics.sources[1].slots_held = 0;
+    EXPECT_EQ(beside.troubles(), Troubles{Trouble::not_received});
+    expect_words(beside.text(Trouble::not_received), {"on universe 2", "only priorities per address"});
+}
+
+TEST(diagnosis, ABlackOutThatAnotherDeskHides) {
+    Network network({1});
+    network.sends({1, 1});
+    dmx::SourceStatus& desk = network.statistics.sources[0];
+    desk.name = "FOH";
+    desk.slots_overruled = 7;
+    desk.is_dark = true;
+    EXPECT_FALSE(network.sentences().at(0).is_problem);
+    expect_words(network.text(Trouble::two_desks), {"'FOH' (192.168.1.7) sends 0 alone", "black-out"});
+    desk.is_dark = false;
+    expect_words(network.text(Trouble::two_desks), {"meant to share"});
+}
+
+TEST(diagnosis, NumbersThatDoNotCountUp) {
+    Network network({1});
+    network.sends({1});
+    dmx::SourceStatus& desk = network.statistics.sources[0];
+    desk.rate_hz = 44;
+    desk.late_hz = 44;
+    EXPECT_EQ(network.troubles(), Troubles{}) << "the network brings every packet twice";
+    desk.rate_hz = 0.4;
+    EXPECT_EQ(network.troubles(), Troubles{Trouble::numbering});
+    expect_words(network.text(Trouble::numbering),
+                 {"'Desk' (192.168.1.7)", "44 of 44 a second", "stands still"});
+}
+
+TEST(diagnosis, BlindBesideLive) {
+    Network network({1});
+    network.sends({1});
+    network.statistics.ignored = {{1, dmx::Protocol::sacn, dmx::IgnoredSource::Why::preview, "Desk",
+                                   dmx::IpAddress(0xC0A80107), 4, 0s}};
+    ASSERT_EQ(network.troubles(), Troubles{Trouble::preview});
+    EXPECT_FALSE(network.sentences()[0].is_problem) << "its live look is shown";
+}
+
+TEST(diagnosis, MoreSacnSourcesThanPlaces) {
+    Network network({1});
+    network.sends({1});
+    for (int i = 0; i < 3; ++i)
+        network.statistics.ignored.push_back({1, dmx::Protocol::sacn, dmx::IgnoredSource::Why::too_many,
+                                              "S" + std::to_string(i), dmx::IpAddress(kOurs), 4, 0s});
+    ASSERT_EQ(network.troubles(), Troubles{Trouble::too_many}) << "one sentence for all";
+    expect_words(network.text(Trouble::too_many), {"'S0'", "'S2'", "16 are merged", "highest priority"});
+    EXPECT_EQ(network.text(Trouble::too_many).find("Art-Net"), std::string::npos);
+}
+
+TEST(diagnosis, RolesOfSources) {
+    std::vector<dmx::SourceStatus> all = {source(1, dmx::Protocol::sacn), source(1, dmx::Protocol::sacn),
+                                          source(2, dmx::Protocol::sacn, 100),
+                                          source(3, dmx::Protocol::sacn, 0)};
+    all[1].id[0] = '3';
+    EXPECT_EQ(role_text(all[0], all), "merged");
+    EXPECT_EQ(role_text(all[2], all), "in part");
+    EXPECT_EQ(role_text(all[3], all), "holds no slot");
+    all[0].slots_held = 0;
+    all[1].preview = true;
+    EXPECT_EQ(role_text(all[0], all), "behind preview");
+    all[2].state = dmx::SourceState::waiting;
+    EXPECT_EQ(role_text(all[2], all), "waiting");
+}
+
+TEST(diagnosis, OneArtnetSourceTooMany) {
+    Network network({1});
+    network.sends({1}, dmx::Protocol::artnet);
+    network.statistics.ignored = {
+        {1, dmx::Protocol::artnet, dmx::IgnoredSource::Why::too_many, "", dmx::IpAddress(kOurs), 4, 0s}};
+    EXPECT_EQ(network.troubles(), Troubles{Trouble::too_many});
+    expect_words(network.text(Trouble::too_many), {"192.168.1.5 (Art-Net)", "merges two"});
+    EXPECT_EQ(network.text(Trouble::too_many).find("have the places"), std::string::npos);
+    network.sends({1}, dmx::Protocol::artnet);
+    network.statistics.sources[1].id = "192.168.1.8";
+    network.statistics.sources[1].age = 4s;
+    expect_words(network.text(Trouble::too_many),
+                 {"there 192.168.1.7 and 192.168.1.8 (silent for 4 s) have the places of Art-Net",
+                  "silent for 10 s makes room"});
+}
+
+TEST(diagnosis, PacketsThatDeclareMoreThanTheyHold) {
+    Network network({1, 2});
+    network.sends({1, 2});
+    for (dmx::SourceStatus& one : network.statistics.sources) one.wrong_length = true;
+    EXPECT_EQ(network.troubles(), Troubles{Trouble::wrong_length});
+    expect_words(network.text(Trouble::wrong_length),
+                 {"'Desk' (192.168.1.7)", "more levels on universes 1-2", "are used"});
+}
+
+TEST(diagnosis, MoreUniversesThanAreShown) {
+    Network network({1});
+    network.sends({1});
+    network.statistics.merge.too_many_universes = 1000;
+    EXPECT_EQ(network.troubles(), Troubles{}) << "long ago";
+    network.statistics.recent.too_many_universes = 3;
+    EXPECT_EQ(network.troubles(), Troubles{Trouble::too_many_universes});
+    expect_words(network.text(Trouble::too_many_universes), {"4096", "--universes"});
+}
+
+TEST(diagnosis, LevelsThatWaitForASynchronisationThatStopped) {
+    Network network({1});
+    network.sends({1});
+    network.statistics.sources[0].held = true;
+    network.statistics.sources[0].sync_universe = 10;
+    dmx::SyncStatus sync;
+    sync.source.id[0] = 1;
+    sync.universe = 10;
+    sync.age = 20ms;
+    network.statistics.sync = {sync};
+    EXPECT_EQ(network.troubles(), Troubles{}) << "between two frames";
+    network.statistics.sync[0].age = 3s;
+    EXPECT_EQ(network.troubles(), Troubles{Trouble::waits_for_sync});
+}
+
+TEST(diagnosis, AnotherNetworkAndAnotherGroup) {
+    Network network({1});
+    network.sends({1}, dmx::Protocol::artnet);
+    network.statistics.sources[0].from = dmx::IpAddress(0x0A000007);
+    EXPECT_EQ(network.troubles(), Troubles{Trouble::other_network});
+    expect_words(network.text(Trouble::other_network), {"eth0 (192.168.1.5/24)", "another network"});
+    network.statistics.sources[0].from = dmx::IpAddress(0x7F000001);
+    EXPECT_EQ(network.troubles(), Troubles{});
+    network.statistics.sources[0].wrong_group = true;
+    EXPECT_EQ(network.troubles(), Troubles{Trouble::wrong_group});
+}
+
+TEST(diagnosis, PacketsLostLately) {
+    Network network({1});
+    network.sends({1});
+    network.statistics.overflow = network.statistics.merge.missed = 1000;
+    EXPECT_EQ(network.troubles(), Troubles{}) << "long ago";
+    network.statistics.recent = {12, 12};
+    EXPECT_EQ(network.troubles(), Troubles{Trouble::packets_lost});
+    expect_words(network.text(Trouble::packets_lost), {"this machine dropped 12 packets", "rmem_max"});
+    network.statistics.recent = {1, 0};
+    expect_words(network.text(Trouble::packets_lost), {"1 packet got lost on the way"});
+}
+
+} // namespace
+} // namespace ghost::scene
