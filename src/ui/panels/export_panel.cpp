@@ -60,6 +60,7 @@ ExportPanel::ExportPanel(AppModel& app, Actions& actions, QWidget* parent)
     : QWidget(parent), app_(app), actions_(actions) {
     auto* inside = new QWidget(this);
     auto* layout = new QVBoxLayout(inside);
+    layout->setContentsMargins(4, 4, 4, 4);
     layout->addWidget(make_bake());
     layout->addWidget(make_pictures());
     list_ = new QVBoxLayout;
@@ -83,6 +84,7 @@ QWidget* ExportPanel::make_bake() {
         "Export",
         "The final picture of a fixed camera, lit live. What is finished stays if it is cancelled."));
     auto* form = new QFormLayout(box);
+    form->setRowWrapPolicy(QFormLayout::WrapLongRows);
     bake_camera_ = new QComboBox(box);
     bake_camera_->setAccessibleName(translated("Export", "Camera to bake"));
     spp_ = number_box(1, 1024, 16, translated("Export", "Samples per pixel"), box);
@@ -109,6 +111,7 @@ QWidget* ExportPanel::make_bake() {
 QWidget* ExportPanel::make_pictures() {
     auto* box = new QGroupBox(translated("Export", "Pictures"), this);
     auto* form = new QFormLayout(box);
+    form->setRowWrapPolicy(QFormLayout::WrapLongRows);
     camera_ = new QComboBox(box);
     camera_->setToolTip(
         translated("Export", "As the window sees it: drawn live. A camera of the show: from its passes."));
