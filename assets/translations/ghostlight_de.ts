@@ -5594,10 +5594,6 @@ Bitte den Namen des Ordners prüfen.</translation>
         <translation>%1°</translation>
     </message>
     <message>
-        <source>%1. A desk on this very machine has to send unicast to 127.0.0.1: multicast of QLC+ does not come back here. To tell them apart: where &apos;%2&apos; shows packets to an address of ours, to its broadcast or to 239.255, a firewall of this machine drops them; where it shows none at all, they do not get here: a cable, another VLAN, a switch that holds multicast back (IGMP snooping without a querier), or a desk that is silent</source>
-        <translation>%1. Ein Pult auf ebendiesem Rechner muss Unicast an 127.0.0.1 senden: Multicast von QLC+ kommt hier nicht zurück. So unterscheidet man sie: wo &apos;%2&apos; Pakete an eine Adresse von uns, an deren Broadcast oder an 239.255 zeigt, verwirft sie eine Firewall dieses Rechners; wo es gar keine zeigt, kommen sie nicht bis hierher: ein Kabel, ein anderes VLAN, ein Switch, der Multicast zurückhält (IGMP-Snooping ohne Querier), oder ein Pult, das schweigt</translation>
-    </message>
-    <message>
         <source>%1; %2: packets without a single level</source>
         <translation>%1; %2: Pakete ohne einen einzigen Wert</translation>
     </message>
@@ -5628,6 +5624,34 @@ Bitte den Namen des Ordners prüfen.</translation>
     <message>
         <source>%1 channel (%2 in some packets)</source>
         <translation>%1 Kanal (%2 in manchen Paketen)</translation>
+    </message>
+    <message>
+        <source>%1. A desk on this very machine has to send unicast to 127.0.0.1: multicast of QLC+ does not come back here</source>
+        <translation>%1. Ein Pult auf ebendiesem Rechner muss Unicast an 127.0.0.1 senden: Multicast von QLC+ kommt hier nicht zurück</translation>
+    </message>
+    <message>
+        <source>%1. To tell them apart: where &apos;%2&apos; shows packets to an address of ours, to its broadcast or to 239.255, a firewall of this machine drops them; where it shows none at all, they do not get here: a cable, another VLAN, a switch that holds multicast back (IGMP snooping without a querier), or a desk that is silent</source>
+        <translation>%1. So unterscheidet man sie: wo &apos;%2&apos; Pakete an eine Adresse von uns, an deren Broadcast oder an 239.255 zeigt, verwirft sie eine Firewall dieses Rechners; wo es gar keine zeigt, kommen sie nicht bis hierher: ein Kabel, ein anderes VLAN, ein Switch, der Multicast zurückhält (IGMP-Snooping ohne Querier), oder ein Pult, das schweigt</translation>
+    </message>
+    <message>
+        <source>%1 other packets did (%2)</source>
+        <translation>%1 andere Pakete ankommen (%2)</translation>
+    </message>
+    <message>
+        <source>%1 other packet did (%2)</source>
+        <translation>%1 anderes Paket ankommt (%2)</translation>
+    </message>
+    <message>
+        <source>%1 on universe %2</source>
+        <translation>%1 auf Universum %2</translation>
+    </message>
+    <message>
+        <source>%1 fixtures</source>
+        <translation>%1 Geräte</translation>
+    </message>
+    <message>
+        <source>%1 fixture</source>
+        <translation>%1 Gerät</translation>
     </message>
 </context>
 <context>

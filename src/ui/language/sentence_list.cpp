@@ -267,6 +267,11 @@ constexpr const char* kSentences[] = {
                       "%1 comes with %2, and %3 (%4) are patched past these: not patched on the desk?"),
     QT_TRANSLATE_NOOP("Sentence", "whoever changed a channel last has it (LTP, --artnet-merge)"),
     QT_TRANSLATE_NOOP("Sentence", "of each channel the higher level shows (HTP)"),
+    QT_TRANSLATE_NOOP("Sentence", "%1 other packets did (%2)"),
+    QT_TRANSLATE_NOOP("Sentence", "%1 other packet did (%2)"),
+    QT_TRANSLATE_NOOP("Sentence", "%1 on universe %2"),
+    QT_TRANSLATE_NOOP("Sentence", "%1 fixtures"),
+    QT_TRANSLATE_NOOP("Sentence", "%1 fixture"),
     QT_TRANSLATE_NOOP("Sentence", "%1 channels (%2 in some packets)"),
     QT_TRANSLATE_NOOP("Sentence", "%1 channel (%2 in some packets)"),
     QT_TRANSLATE_NOOP("Sentence", "%1 channels"),
@@ -713,13 +718,15 @@ constexpr const char* kSentences[] = {
                                   "for Art-Net, and for sACN by IPv4, it needs one in the desk's network"),
     QT_TRANSLATE_NOOP("Sentence", "%1. %2 gave itself %3, as a machine does that no DHCP server answers: for "
                                   "Art-Net the desk has to be in 169.254.x.x, too"),
+    QT_TRANSLATE_NOOP("Sentence", "%1. A desk on this very machine has to send unicast to 127.0.0.1: "
+                                  "multicast of QLC+ does not come back here"),
     QT_TRANSLATE_NOOP(
         "Sentence",
-        "%1. A desk on this very machine has to send unicast to 127.0.0.1: multicast of QLC+ does not come "
-        "back here. To tell them apart: where '%2' shows packets to an address of ours, to its broadcast or "
-        "to 239.255, a firewall of this machine drops them; where it shows none at all, they do not get "
-        "here: a cable, another VLAN, a switch that holds multicast back (IGMP snooping without a querier), "
-        "or a desk that is silent"),
+        "%1. To tell them apart: where '%2' shows packets to an address of ours, to its broadcast or to "
+        "239.255, a firewall of this machine drops them; where it shows none at all, they do not get here: a "
+        "cable, another VLAN, a switch that holds multicast back (IGMP snooping without a querier), or a "
+        "desk "
+        "that is silent"),
 };
 
 } // namespace

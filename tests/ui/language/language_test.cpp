@@ -70,6 +70,30 @@ TEST_F(Language, ASentenceIsKnownByItsPattern) {
               "'x' ist nicht: Zahl von Sekunden von 0 bis 3600");
 }
 
+TEST_F(Language, SoAreTheSentencesThatItIsMadeOf) {
+    const std::string said = in_german(
+        "no levels arrive, though 3 other packets did (3 poll): is the desk's output on, is it in this "
+        "network, "
+        "and is no firewall on UDP 5568 in the way? We listen on net0 (10.93.0.2/24); 'Desk' (10.93.0.1) on "
+        "universe 1: only priorities per address (start code 0xDD), no levels. To tell them apart: where "
+        "'tcpdump -ni any udp port 5568' shows packets to an address of ours, to its broadcast or to "
+        "239.255, a "
+        "firewall of this machine drops them; where it shows none at all, they do not get here: a cable, "
+        "another "
+        "VLAN, a switch that holds multicast back (IGMP snooping without a querier), or a desk that is "
+        "silent");
+    for (const char* const part : {"nur Prioritäten je Adresse", "wo 'tcpdump -ni any udp port 5568' Pakete",
+                                   "obwohl 3 andere Pakete ankommen (3 poll)",
+                                   "'Desk' (10.93.0.1) auf Universum 1", "ein Pult, das schweigt"})
+        EXPECT_NE(said.find(part), std::string::npos) << part << " in: " << said;
+    EXPECT_EQ(
+        in_german(
+            "universe 1 comes with 24 channels (512 in some packets), and 1 fixture ('Spot') is patched "
+            "past these: not patched on the desk?"),
+        "Universum 1 kommt mit 24 Kanälen (512 in manchen Paketen), und 1 Gerät ('Spot') ist dahinter "
+        "gepatcht: am Pult nicht gepatcht?");
+}
+
 TEST_F(Language, WhatIsQuotedStays) {
     EXPECT_EQ(in_german("another cue is called 'nothing'"), "ein anderer Cue heißt 'nothing'");
 }
