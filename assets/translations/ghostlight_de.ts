@@ -4070,14 +4070,6 @@ Bitte den Namen des Ordners prüfen.</translation>
         <translation>%1 sendet %2 an die Multicast-Gruppe eines anderen Universums; die Werte gelten trotzdem</translation>
     </message>
     <message>
-        <source>%1 declares more levels on %2 than its packets hold; those that come are used</source>
-        <translation>%1 kündigt auf %2 mehr Werte an, als seine Pakete enthalten; die vorhandenen gelten</translation>
-    </message>
-    <message>
-        <source>this machine dropped %1 packets in the last seconds: it is too busy, or the sockets&apos; buffers are too small (as root: sysctl -w net.core.rmem_max=4194304)</source>
-        <translation>dieser Rechner hat in den letzten Sekunden %1 Pakete verworfen: Er ist überlastet, oder die Puffer der Sockets sind zu klein (als root: sysctl -w net.core.rmem_max=4194304)</translation>
-    </message>
-    <message>
         <source>%1 packets got lost on the way in the last seconds: cable, switch or Wi-Fi</source>
         <translation>%1 Pakete gingen in den letzten Sekunden unterwegs verloren: Kabel, Switch oder WLAN</translation>
     </message>
@@ -5630,10 +5622,6 @@ Bitte den Namen des Ordners prüfen.</translation>
         <translation>%1. Ein Pult auf ebendiesem Rechner muss Unicast an 127.0.0.1 senden: Multicast von QLC+ kommt hier nicht zurück</translation>
     </message>
     <message>
-        <source>%1. To tell them apart: where &apos;%2&apos; shows packets to an address of ours, to its broadcast or to 239.255, a firewall of this machine drops them; where it shows none at all, they do not get here: a cable, another VLAN, a switch that holds multicast back (IGMP snooping without a querier), or a desk that is silent</source>
-        <translation>%1. So unterscheidet man sie: wo &apos;%2&apos; Pakete an eine Adresse von uns, an deren Broadcast oder an 239.255 zeigt, verwirft sie eine Firewall dieses Rechners; wo es gar keine zeigt, kommen sie nicht bis hierher: ein Kabel, ein anderes VLAN, ein Switch, der Multicast zurückhält (IGMP-Snooping ohne Querier), oder ein Pult, das schweigt</translation>
-    </message>
-    <message>
         <source>%1 other packets did (%2)</source>
         <translation>%1 andere Pakete ankommen (%2)</translation>
     </message>
@@ -5652,6 +5640,34 @@ Bitte den Namen des Ordners prüfen.</translation>
     <message>
         <source>%1 fixture</source>
         <translation>%1 Gerät</translation>
+    </message>
+    <message>
+        <source>universe %1 is lost: its last packet came %2 s ago and it went black (--on-loss), and %3</source>
+        <translation>Universum %1 ist verloren: Sein letztes Paket kam vor %2 s, und es wurde schwarz (--on-loss), und %3</translation>
+    </message>
+    <message>
+        <source>universe %1 is lost: its last packet came %2 s ago and it went black (--on-loss)</source>
+        <translation>Universum %1 ist verloren: Sein letztes Paket kam vor %2 s, und es wurde schwarz (--on-loss)</translation>
+    </message>
+    <message>
+        <source>nothing comes for %1 any more, since %2: the last look is held. Packets still come, without levels</source>
+        <translation>für %1 kommt seit %2 nichts mehr: der letzte Stand wird gehalten. Es kommen noch Pakete, ohne Werte</translation>
+    </message>
+    <message>
+        <source>nothing comes for %1 any more, since %2: black (--on-loss). Packets still come, without levels</source>
+        <translation>für %1 kommt seit %2 nichts mehr: schwarz (--on-loss). Es kommen noch Pakete, ohne Werte</translation>
+    </message>
+    <message>
+        <source>%1 declares more levels on %2 than its packets hold, or than 512; those that come are used</source>
+        <translation>%1 kündigt auf %2 mehr Werte an, als seine Pakete enthalten, oder als 512; die vorhandenen gelten</translation>
+    </message>
+    <message>
+        <source>this machine dropped %1 packets in the last seconds: it is too busy, the sockets&apos; buffers are too small (as root: sysctl -w net.core.rmem_max=4194304), or somebody&apos;s packets have wrong checksums</source>
+        <translation>dieser Rechner hat in den letzten Sekunden %1 Pakete verworfen: Er ist überlastet, die Puffer der Sockets sind zu klein (als root: sysctl -w net.core.rmem_max=4194304), oder jemandes Pakete haben falsche Prüfsummen</translation>
+    </message>
+    <message>
+        <source>%1. To tell them apart: where &apos;%2&apos; shows packets to an address of ours, to its broadcast, to 239.255 or ff18::, a firewall or the reverse path filter of this machine drops them; to another broadcast, the masks differ; where it shows none at all, they do not get here: a cable, another VLAN, a switch that holds multicast back (IGMP snooping without a querier), or a desk that is silent</source>
+        <translation>%1. So unterscheidet man sie: wo &apos;%2&apos; Pakete an eine Adresse von uns, an deren Broadcast, an 239.255 oder ff18:: zeigt, verwirft sie eine Firewall oder der Rückwegfilter (rp_filter) dieses Rechners; an einen anderen Broadcast, dann sind die Masken verschieden; wo es gar keine zeigt, kommen sie nicht bis hierher: ein Kabel, ein anderes VLAN, ein Switch, der Multicast zurückhält (IGMP-Snooping ohne Querier), oder ein Pult, das schweigt</translation>
     </message>
 </context>
 <context>

@@ -13,6 +13,13 @@ using namespace std::chrono_literals;
 
 constexpr auto kPatience = 5s; // unchanged levels come every second (sACN) or every four (Art-Net)
 
+// What is wrong on universes that nothing of the show reads keeps no light of it away.
+bool concerns(const Sentence& sentence, const PatchMap& patch) {
+    return patch.universes().empty() || sentence.universes.empty() ||
+           std::any_of(sentence.universes.begin(), sentence.universes.end(),
+                       [&](int universe) { return patch.has(universe); });
+}
+
 } // namespace
 
 const char* trouble_name(Trouble trouble) {
@@ -87,10 +94,12 @@ std::vector<Sentence> diagnose(const dmx::Statistics& statistics, const PatchMap
     if (patient && out.empty()) add_silence(statistics, arriving, patch, all_fed, out);
     if (patient) add_patch(statistics, arriving, patch, out);
     add_lost(statistics, patch, out);
+    const std::size_t before = out.size();
     add_ignored(statistics, out);
     add_ranks(statistics, out);
     add_numbering(statistics, out);
     add_sources(statistics, out);
+    for (std::size_t i = before; i < out.size(); ++i) out[i].is_problem &= concerns(out[i], patch);
     return out;
 }
 

@@ -101,6 +101,12 @@ std::string source_text(const std::string& name, const std::string& place, dmx::
     return one_line(place) + " (" + dmx::protocol_name(protocol) + ")";
 }
 
+bool is_without_levels(const dmx::Statistics& statistics, int universe) {
+    return std::any_of(
+        statistics.sources.begin(), statistics.sources.end(),
+        [&](const dmx::SourceStatus& one) { return one.universe == universe && !has_levels(one); });
+}
+
 std::string empty_text(const dmx::Statistics& statistics, const PatchMap& patch) {
     std::set<std::string> bare, priorities;
     for (const dmx::SourceStatus& source : statistics.sources)

@@ -47,6 +47,8 @@ std::string source_text(const dmx::SourceStatus& source);
 // "; 'Desk' (10.0.0.2) on universe 1: only priorities per address ..", of the patch; "" where all that comes
 // has levels.
 std::string empty_text(const dmx::Statistics& statistics, const PatchMap& patch);
+// Packets come for it, and none of somebody's has a level.
+bool is_without_levels(const dmx::Statistics& statistics, int universe);
 // Of the interfaces that we listen on: "eth0 (192.168.1.5/24)".
 std::string addresses_text(const dmx::Statistics& statistics);
 // ". eth0 has a cable and no IPv4 address: ..", of those that we listen on; "" where each has one.

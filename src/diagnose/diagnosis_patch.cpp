@@ -198,15 +198,18 @@ void add_lost(const dmx::Statistics& statistics, const PatchMap& patch, Sentence
             longest = std::max(longest, one.since);
         }
         if (universes.empty()) continue;
+        const bool bare = std::any_of(universes.begin(), universes.end(),
+                                      [&](int universe) { return is_without_levels(statistics, universe); });
         out.push_back(problem(
             Trouble::lost,
             "nothing comes for " + universes_text(universes) + " any more, since " + seconds_text(longest) +
                 ": " + (black ? "black (--on-loss)" : "the last look is held") +
-                (unreadable.empty() ? ". Its desk has stopped, or something on the way lets nothing "
-                                      "through any more: a cable, a firewall, or a switch that prunes "
-                                      "multicast after minutes (IGMP snooping without a querier)"
-                                    : ". Packets arrive that cannot be read (" + unreadable +
-                                          "): if they are its desk's, that has to be mended"),
+                (bare                 ? ". Packets still come, without levels" + empty_text(statistics, patch)
+                 : unreadable.empty() ? ". Its desk has stopped, or something on the way lets nothing "
+                                        "through any more: a cable, a firewall, or a switch that prunes "
+                                        "multicast after minutes (IGMP snooping without a querier)"
+                                      : ". Packets arrive that cannot be read (" + unreadable +
+                                            "): if they are its desk's, that has to be mended"),
             universes));
     }
 }

@@ -111,7 +111,8 @@ void add_held_back(const dmx::Statistics& statistics, const Arriving& arriving, 
     if (sum(statistics.recent.refused_sacn) >= kManyRefused) return; // it comes, and cannot be read
     std::map<std::string, std::set<int>> held;
     for (const auto& [universe, one] : arriving.listed)
-        if (one.protocol == dmx::Protocol::sacn && patch.has(universe) && !arriving.has(universe))
+        if (one.protocol == dmx::Protocol::sacn && patch.has(universe) && !arriving.has(universe) &&
+            !is_without_levels(statistics, universe))
             held[one.who].insert(universe);
     for (const auto& [who, universes] : held)
         out.push_back(problem(
@@ -133,8 +134,18 @@ std::string tcpdump_text(std::string ports) {
     return "udp port " + ports;
 }
 
-std::string joined_ports(bool sacn, bool artnet) {
-    return std::string(sacn ? "5568" : "") + (sacn && artnet ? " and " : "") + (artnet ? "6454" : "");
+// That we listen on, where `wanted`: "5568 and 6454".
+std::string joined_ports(const dmx::Statistics& statistics, bool sacn, bool artnet) {
+    std::string text;
+    for (const auto& [protocol, wanted] :
+         {std::pair(dmx::Protocol::sacn, sacn), std::pair(dmx::Protocol::artnet, artnet)}) {
+        const auto socket =
+            std::find_if(statistics.sockets.begin(), statistics.sockets.end(),
+                         [&](const dmx::SocketStatus& one) { return one.protocol == protocol; });
+        if (wanted && socket != statistics.sockets.end())
+            text += (text.empty() ? "" : " and ") + std::to_string(socket->port);
+    }
+    return text;
 }
 
 void add_nothing(const dmx::Statistics& statistics, const Arriving& arriving, const PatchMap& patch,
@@ -157,7 +168,7 @@ void add_nothing(const dmx::Statistics& statistics, const Arriving& arriving, co
     }
     const std::string others = others_text(statistics);
     // A port that packets come by is closed by no firewall.
-    const std::string ports = joined_ports(listening.sacn && statistics.packets_sacn == 0,
+    const std::string ports = joined_ports(statistics, listening.sacn && statistics.packets_sacn == 0,
                                            listening.artnet && statistics.packets_artnet == 0);
     std::string text = (others.empty() ? "nothing arrives" : "no levels arrive" + others) +
                        ": is the desk's output on, is it in this network, " +
@@ -183,10 +194,12 @@ void add_nothing(const dmx::Statistics& statistics, const Arriving& arriving, co
     if (!ports.empty()) // else packets get through
         text +=
             ". To tell them apart: where 'tcpdump -ni any " + tcpdump_text(ports) +
-            "' shows packets to an address of ours, to its broadcast or to 239.255, a firewall of this "
-            "machine "
-            "drops them; where it shows none at all, they do not get here: a cable, another VLAN, a switch "
-            "that holds multicast back (IGMP snooping without a querier), or a desk that is silent";
+            "' shows packets to an address of ours, to its broadcast, to 239.255 or ff18::, a firewall or "
+            "the "
+            "reverse path filter of this machine drops them; to another broadcast, the masks differ; where "
+            "it "
+            "shows none at all, they do not get here: a cable, another VLAN, a switch that holds multicast "
+            "back (IGMP snooping without a querier), or a desk that is silent";
     out.push_back(problem(Trouble::nothing_arrives, text));
 }
 

@@ -158,15 +158,20 @@ void add_ignored(const dmx::Statistics& statistics, Sentences& out) {
     for (const auto& entry : preview) {
         const std::string& who = entry.first;
         const std::set<int>& universes = entry.second;
-        // Who shows its live look, too, is only said to.
-        const bool live = std::all_of(universes.begin(), universes.end(), [&](int universe) {
-            return std::any_of(statistics.sources.begin(), statistics.sources.end(),
-                               [&](const dmx::SourceStatus& source) {
-                                   return source.universe == universe && !source.preview &&
-                                          source.slots_held > 0 && source_text(source) == who;
-                               });
-        });
-        const std::string text = who + " marks " + (live ? "some of " : "") + universes_text(universes) +
+        // Beside a live look, of the same desk or of another one's operator, it is only said.
+        const auto is_live = [&](const auto& who_may) {
+            return std::all_of(universes.begin(), universes.end(), [&](int universe) {
+                return std::any_of(statistics.sources.begin(), statistics.sources.end(),
+                                   [&](const dmx::SourceStatus& source) {
+                                       return source.universe == universe && !source.preview &&
+                                              source.slots_held > 0 && who_may(source);
+                                   });
+            });
+        };
+        const bool live = is_live([](const dmx::SourceStatus&) { return true; });
+        const bool itself =
+            is_live([&](const dmx::SourceStatus& source) { return source_text(source) == who; });
+        const std::string text = who + " marks " + (itself ? "some of " : "") + universes_text(universes) +
                                  " as preview (blind), which is not shown: leave blind on the desk, or "
                                  "start with --show-preview";
         out.push_back(live ? note(Trouble::preview, text, universes)
@@ -210,20 +215,23 @@ void add_sources(const dmx::Statistics& statistics, Sentences& out) {
                      "our answers do not arrive, and this machine needs an address in its network",
                  universes));
     for (const auto& [who, universes] : astray)
-        out.push_back(
-            note(Trouble::wrong_group, who + " sends " + universes_text(universes) +
-                                           " to the multicast group of another universe; the levels "
-                                           "are used"));
+        out.push_back(note(Trouble::wrong_group,
+                           who + " sends " + universes_text(universes) +
+                               " to the multicast group of another universe; the levels "
+                               "are used",
+                           universes));
     for (const auto& [who, universes] : cut)
-        out.push_back(note(Trouble::wrong_length, who + " declares more levels on " +
-                                                      universes_text(universes) +
-                                                      " than its packets hold; those that come are used"));
+        out.push_back(note(Trouble::wrong_length,
+                           who + " declares more levels on " + universes_text(universes) +
+                               " than its packets hold, or than 512; those that come are used",
+                           universes));
     if (statistics.recent.overflow > 0)
         out.push_back(
             problem(Trouble::packets_lost,
                     "this machine dropped " + count_text(statistics.recent.overflow, "packet") +
-                        " in the last seconds: it is too busy, or the sockets' buffers are too small "
-                        "(as root: sysctl -w net.core.rmem_max=4194304)"));
+                        " in the last seconds: it is too busy, the sockets' buffers are too small (as "
+                        "root: sysctl -w net.core.rmem_max=4194304), or somebody's packets have wrong "
+                        "checksums"));
     if (statistics.recent.lost > statistics.recent.overflow)
         out.push_back(problem(Trouble::packets_lost,
                               count_text(statistics.recent.lost - statistics.recent.overflow, "packet") +

@@ -81,6 +81,7 @@ struct UniverseFacts {
     int universe = 0;
     bool received = false;
     bool lost = false;
+    bool black = false;       // lost, and its look was taken away
     int slot_count = 0;       // that it comes with
     double age_s = 0;         // of the newest packet or frame
     double first_frame_s = 0; // of a recording; below 0: it has none

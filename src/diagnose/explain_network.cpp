@@ -144,6 +144,7 @@ std::vector<UniverseFacts> universe_facts(const ExplainInput& input,
                                              : nullptr) {
             facts.received = true;
             facts.lost = found->lost;
+            facts.black = found->black;
             facts.slot_count = found->slot_count;
             facts.age_s = input.now_s - std::chrono::duration<double>(found->arrival).count();
         }
@@ -216,7 +217,9 @@ std::vector<Reason> causes_in_network(const ExplainInput& input, const fixture::
                                 blocks,
                                 "universe " + std::to_string(facts.universe) +
                                     " is lost: its last packet came " + number(facts.age_s, 1) +
-                                    " s ago and its last look is held" + (blocks ? so(direct) : ""),
+                                    " s ago and " +
+                                    (facts.black ? "it went black (--on-loss)" : "its last look is held") +
+                                    (blocks ? so(direct) : ""),
                                 name + " is lost",
                                 {}});
         } else if (const Past past = channels_past(explanation, direct, facts.universe, facts.slot_count);

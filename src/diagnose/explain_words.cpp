@@ -62,6 +62,7 @@ std::string universe_text(const UniverseFacts& facts, const Reception& reception
             text += "; its first frame comes at " + number(facts.first_frame_s, 2) + " s";
         return text;
     }
+    if (facts.black) return text + "LOST, black (--on-loss)";
     if (facts.lost) return text + "LOST, last look held for " + number(facts.age_s, 1) + " s";
     text += "received";
     if (reception.kind == Reception::Kind::recording)

@@ -113,6 +113,52 @@ TEST(diagnosis, PacketsWithoutLevels) {
     expect_words(beside.text(Trouble::not_received), {"on universe 2", "only priorities per address"});
 }
 
+TEST(diagnosis, WhatIsNoneOfTheShowIsNoProblem) {
+    Network network({1});
+    network.sends({1, 9, 9});
+    for (const std::size_t stranger : {1u, 2u}) {
+        network.statistics.sources[stranger].slots_overruled = 7;
+        network.statistics.sources[stranger].slots_contested = 7;
+    }
+    network.statistics.sources[2].name = "Other";
+    ASSERT_NE(network.text(Trouble::two_desks), "not said");
+    for (const Sentence& sentence : network.sentences()) EXPECT_FALSE(sentence.is_problem) << sentence.text;
+    network.patch = PatchMap(show_on({1, 9}));
+    EXPECT_TRUE(std::any_of(network.sentences().begin(), network.sentences().end(),
+                            [](const Sentence& one) { return one.is_problem; }));
+}
+
+TEST(diagnosis, AnOperatorInBlindBesideTheLiveDesk) {
+    Network network({1});
+    network.sends({1});
+    dmx::IgnoredSource blind;
+    blind.universe = 1;
+    blind.name = "Assistant";
+    blind.from = dmx::IpAddress(0xC0A80108);
+    network.statistics.ignored = {blind};
+    ASSERT_EQ(network.troubles(), Troubles{Trouble::preview});
+    EXPECT_FALSE(network.sentences()[0].is_problem) << "the stage is lit";
+    expect_words(network.text(Trouble::preview), {"'Assistant' (192.168.1.8) marks universe 1 as preview"});
+    network.statistics.sources.clear();
+    EXPECT_TRUE(network.sentences()[0].is_problem);
+}
+
+TEST(diagnosis, PacketsWithoutLevelsAreNeitherHeldBackNorGone) {
+    Network network({1});
+    network.sends({1});
+    network.statistics.sources[0].slot_count = 0;
+    network.statistics.sources[0].slots_held = 0;
+    dmx::DiscoveredSource list;
+    list.name = "Desk";
+    list.universes = std::make_shared<const std::vector<std::uint16_t>>(std::vector<std::uint16_t>{1});
+    network.statistics.discovered = {list};
+    EXPECT_EQ(network.text(Trouble::held_back), "not said");
+    network.statistics.lost = {{1, false, 4s}};
+    expect_words(network.text(Trouble::lost),
+                 {"any more, since 4 s", "Packets still come, without levels", "only priorities"});
+    EXPECT_EQ(network.text(Trouble::lost).find("firewall"), std::string::npos);
+}
+
 TEST(diagnosis, ABlackOutThatAnotherDeskHides) {
     Network network({1});
     network.sends({1, 1});

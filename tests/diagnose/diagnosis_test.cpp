@@ -49,6 +49,14 @@ TEST(diagnosis, NothingArrives) {
     EXPECT_EQ(silent.troubles(), Troubles{}) << "three seconds prove nothing";
 }
 
+TEST(diagnosis, PortsThatWereChosen) {
+    Network silent({1});
+    for (dmx::SocketStatus& socket : silent.statistics.sockets) ++socket.port;
+    expect_words(
+        silent.text(Trouble::nothing_arrives),
+        {"firewall on UDP 5569 and 6455 in", "'tcpdump -ni any udp port 5569 or udp port 6455' shows"});
+}
+
 TEST(diagnosis, APortThatIsTaken) {
     Network out;
     out.statistics.listening.problem = "UDP port 6454: the port is taken by olad (pid 12)";

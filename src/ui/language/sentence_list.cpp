@@ -61,6 +61,10 @@ constexpr const char* kSentences[] = {
                       "universe %1 is lost: its last packet came %2 s ago and its last look is held, and %3"),
     QT_TRANSLATE_NOOP("Sentence",
                       "universe %1 is lost: its last packet came %2 s ago and its last look is held"),
+    QT_TRANSLATE_NOOP("Sentence", "universe %1 is lost: its last packet came %2 s ago and it went black "
+                                  "(--on-loss), and %3"),
+    QT_TRANSLATE_NOOP("Sentence",
+                      "universe %1 is lost: its last packet came %2 s ago and it went black (--on-loss)"),
     QT_TRANSLATE_NOOP(
         "Sentence", "universe %1 comes with %2 channels, and %3 of the fixture lie past these (is it patched "
                     "on the desk?), and %4"),
@@ -201,6 +205,10 @@ constexpr const char* kSentences[] = {
     QT_TRANSLATE_NOOP("Sentence", "%1 fixtures on %2 ('%3', ...), no levels arrive there"),
     QT_TRANSLATE_NOOP("Sentence", "%1 fixture on %2 ('%3'), no levels arrive there"),
     QT_TRANSLATE_NOOP("Sentence", "%1; packets arrive that cannot be read (%2)"),
+    QT_TRANSLATE_NOOP("Sentence", "nothing comes for %1 any more, since %2: the last look is held. Packets "
+                                  "still come, without levels"),
+    QT_TRANSLATE_NOOP("Sentence", "nothing comes for %1 any more, since %2: black (--on-loss). Packets still "
+                                  "come, without levels"),
     QT_TRANSLATE_NOOP("Sentence", "%1; %2: packets without a single level"),
     QT_TRANSLATE_NOOP("Sentence", "%1; %2: only priorities per address (start code 0xDD), no levels"),
     QT_TRANSLATE_NOOP("Sentence",
@@ -290,10 +298,12 @@ constexpr const char* kSentences[] = {
     QT_TRANSLATE_NOOP("Sentence",
                       "%1 sends %2 to the multicast group of another universe; the levels are used"),
     QT_TRANSLATE_NOOP("Sentence",
-                      "%1 declares more levels on %2 than its packets hold; those that come are used"),
+                      "%1 declares more levels on %2 than its packets hold, or than 512; those that come are "
+                      "used"),
     QT_TRANSLATE_NOOP("Sentence",
-                      "this machine dropped %1 packets in the last seconds: it is too busy, or the sockets' "
-                      "buffers are too small (as root: sysctl -w net.core.rmem_max=4194304)"),
+                      "this machine dropped %1 packets in the last seconds: it is too busy, the sockets' "
+                      "buffers are too small (as root: sysctl -w net.core.rmem_max=4194304), or somebody's "
+                      "packets have wrong checksums"),
     QT_TRANSLATE_NOOP("Sentence",
                       "%1 packets got lost on the way in the last seconds: cable, switch or Wi-Fi"),
     QT_TRANSLATE_NOOP("Sentence",
@@ -722,11 +732,11 @@ constexpr const char* kSentences[] = {
                                   "multicast of QLC+ does not come back here"),
     QT_TRANSLATE_NOOP(
         "Sentence",
-        "%1. To tell them apart: where '%2' shows packets to an address of ours, to its broadcast or to "
-        "239.255, a firewall of this machine drops them; where it shows none at all, they do not get here: a "
-        "cable, another VLAN, a switch that holds multicast back (IGMP snooping without a querier), or a "
-        "desk "
-        "that is silent"),
+        "%1. To tell them apart: where '%2' shows packets to an address of ours, to its broadcast, to "
+        "239.255 "
+        "or ff18::, a firewall or the reverse path filter of this machine drops them; to another broadcast, "
+        "the masks differ; where it shows none at all, they do not get here: a cable, another VLAN, a switch "
+        "that holds multicast back (IGMP snooping without a querier), or a desk that is silent"),
 };
 
 } // namespace
