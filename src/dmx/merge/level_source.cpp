@@ -139,15 +139,23 @@ void LevelSource::note_double(const IpAddress& from, std::chrono::nanoseconds no
     double_->last = now;
 }
 
+// Whether so many can have been sent since the newest: who begins anew begins with another number.
+bool LevelSource::may_be_lost(unsigned missed, std::chrono::nanoseconds now) const {
+    constexpr double kHaste = 1.5; // a desk whose looks move sends faster than one at rest
+    constexpr double kAtOnce = 8;
+    const double passed_ms = std::chrono::duration<double, std::milli>(now - last_levels_).count();
+    return interval_ms_ == 0.0 || missed <= kHaste * passed_ms / interval_ms_ + kAtOnce;
+}
+
 // Art-Net numbers 1..255 and 0 means "not numbered"; senders that wrap through 0 exist, so a 0 is accepted
 // and not remembered.
-std::optional<unsigned> LevelSource::in_sequence(const Packet& packet) {
+std::optional<unsigned> LevelSource::in_sequence(const Packet& packet, std::chrono::nanoseconds now) {
     if (packet.protocol == Protocol::usb) return 0; // a cable keeps the order
     if (packet.protocol == Protocol::artnet && packet.sequence == 0) return 0;
     const std::optional<unsigned> missed = sequence_.accept(packet.sequence);
     if (missed) {
         missed_ += *missed;
-        window_.missed += *missed;
+        window_.missed += may_be_lost(*missed, now) ? *missed : 0;
         window_.odd += *missed > 0 || sequence_.stepped_back() ? 1 : 0;
     } else {
         ++out_of_sequence_;
@@ -173,7 +181,7 @@ void LevelSource::keep(const Packet& packet, bool hold, std::uint32_t stamp, std
     if (priorities) {
         last_priorities_ = std::max(last_priorities_, now);
         if (packets_ == 0) last_levels_ = std::max(last_levels_, now); // it is there, without levels
-        joined_ = true; // nothing better is to come
+        joined_ = true;                                                // nothing better is to come
     } else {
         if (packets_ > 0) measure_jitter(now - last_levels_);
         note_look(packet, now);
@@ -206,6 +214,7 @@ void LevelSource::show(const Held& levels) {
     }
     priority_ = levels.priority;
     levels_ = levels.slots;
+    if (!has_levels_) samples_ = {levels_, levels_};
     slot_count_ = levels.slot_count;
     has_levels_ |= levels.slot_count > 0;
 }
@@ -243,11 +252,14 @@ void LevelSource::measure_rate(std::chrono::nanoseconds now) {
     if (window < kRateWindow) return;
     const double window_s = std::chrono::duration<double>(window).count();
     if (window_.packets >= kEnoughPackets) has_gaps_ = window_.odd > kMostGaps * window_.packets;
-    if (!has_gaps_ && window_.missed > window_.swapped)
+    const bool two_rows = window_.back > 0; // of two senders
+    if (!has_gaps_ && !two_rows && window_.missed > window_.swapped)
         lost_ += static_cast<std::uint64_t>(window_.missed - window_.swapped);
     rates_hz_ = {window_.packets / window_s, window_.late / window_s, window_.back / window_s};
     window_ = {};
     window_start_ = now;
+    samples_[1] = samples_[0];
+    samples_[0] = levels_;
 }
 
 void LevelSource::resume(std::chrono::nanoseconds pause, std::chrono::nanoseconds now) {

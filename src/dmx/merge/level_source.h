@@ -41,7 +41,7 @@ public:
     // Whether a packet came the way that counts. One that says goodbye by another way is not believed.
     bool same_way(const Packet& packet, std::chrono::nanoseconds now);
     // Missed packets before this one, nothing where it is late.
-    std::optional<unsigned> in_sequence(const Packet& packet);
+    std::optional<unsigned> in_sequence(const Packet& packet, std::chrono::nanoseconds now);
     // A packet of the same row of numbers that is none of this source's, and so many before it that were
     // missed there: none of them is missed here.
     void pass(std::uint8_t number, unsigned missed = 0) { sequence_.pass(number, missed); }
@@ -68,6 +68,10 @@ public:
     std::uint8_t priority() const;
     std::uint8_t level(std::size_t slot) const { return levels_[slot]; }
     std::size_t slot_count() const { return slot_count_; }
+    // The slot has the level that it had one and two seconds ago or so (measure_rate).
+    bool stands(std::size_t slot) const {
+        return levels_[slot] == samples_[0][slot] && levels_[slot] == samples_[1][slot];
+    }
     // When the slot changed last, as the stamp that keep() was given; 0 where that is not recorded (sACN).
     std::uint32_t changed(std::size_t slot) const { return changed_.empty() ? 0 : changed_[slot]; }
 
@@ -82,6 +86,7 @@ private:
     };
     void show(const Held& levels);
     void measure_jitter(std::chrono::nanoseconds interval);
+    bool may_be_lost(unsigned missed, std::chrono::nanoseconds now) const;
     bool is_copy(const Packet& packet);
     void note_double(const IpAddress& from, std::chrono::nanoseconds now);
     void note_look(const Packet& packet, std::chrono::nanoseconds now);
@@ -100,7 +105,8 @@ private:
     bool per_address_ = false;
     std::uint16_t slot_count_ = 0;
     Levels levels_{};
-    Levels slot_priority_{}; // while per_address; 0 = this source does not hold the slot
+    Levels slot_priority_{};          // while per_address; 0 = this source does not hold the slot
+    std::array<Levels, 2> samples_{}; // of the last two seconds; of its first ones the first levels
     std::vector<std::uint32_t> changed_;
     std::unique_ptr<Held> held_levels_, held_priorities_;
     std::chrono::nanoseconds first_heard_{0}, last_levels_{0}, last_priorities_{0}, last_way_{0};

@@ -199,7 +199,7 @@ void Merge::feed(const Packet& packet, std::chrono::nanoseconds now) {
         ++counters_.other_way;
         return;
     }
-    const std::optional<unsigned> missed = source->in_sequence(packet);
+    const std::optional<unsigned> missed = source->in_sequence(packet, now);
     if (!missed) {
         ++counters_.out_of_sequence;
         return;

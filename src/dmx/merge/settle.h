@@ -33,7 +33,7 @@ std::optional<std::size_t> lowest_priority(std::span<const LevelSource> sources,
 std::vector<std::size_t> slots_held(std::span<const LevelSource> sources, bool show_preview);
 
 // Of each source the number of slots that it holds and where something else shows, and how many of these it
-// sends above 0. merged: of these sources.
+// sends above 0, of those that stand still (LevelSource::stands). merged: of these sources.
 std::vector<std::size_t> slots_overruled(std::span<const LevelSource> sources, bool show_preview,
                                          const Levels& merged);
 std::vector<std::size_t> slots_contested(std::span<const LevelSource> sources, bool show_preview,

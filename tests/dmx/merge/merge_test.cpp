@@ -505,8 +505,14 @@ TEST(Merge, slots_where_another_of_equal_rank_has_its_way) {
     EXPECT_EQ(sources[2].slots_overruled, 0u);
     EXPECT_EQ(sources[0].slots_contested, 1u) << "it sends 10 where 20 shows";
     merge.feed(a.packet({0, 200, 5}), 0s);
-    EXPECT_EQ(merge.sources(0s)[0].slots_overruled, 1u);
-    EXPECT_EQ(merge.sources(0s)[0].slots_contested, 0u) << "it leaves the channel to the other";
+    EXPECT_EQ(merge.sources(0s)[0].slots_overruled, 0u) << "it moves";
+    for (const nanoseconds now : {1s, 2s}) {
+        merge.feed(a.packet({0, 200, 5}), now);
+        merge.feed(b.packet({20, 100, 5}), now);
+        merge.tick(now);
+    }
+    EXPECT_EQ(merge.sources(2s)[0].slots_overruled, 1u);
+    EXPECT_EQ(merge.sources(2s)[0].slots_contested, 0u) << "it leaves the channel to the other";
 }
 
 TEST(Merge, slots_where_another_has_its_way_are_counted_while_looks_wait_to_be_shown) {
@@ -516,9 +522,29 @@ TEST(Merge, slots_where_another_has_its_way_are_counted_while_looks_wait_to_be_s
     merge.feed(b.packet({10, 200}), 0s);
     (void)merge.universes();
     EXPECT_EQ(merge.sources(0s)[0].slots_overruled, 0u);
-    merge.feed(b.packet({30, 200}), 0s);
-    EXPECT_EQ(merge.sources(0s)[0].slots_overruled, 1u);
-    EXPECT_EQ(merge.sources(0s)[1].slots_overruled, 0u);
+    for (const nanoseconds now : {1s, 2s}) {
+        merge.feed(a.packet({10, 200}), now);
+        merge.feed(b.packet({30, 200}), now);
+        merge.tick(now);
+    }
+    merge.feed(b.packet({30, 200}), 2s);
+    EXPECT_EQ(merge.sources(2s)[0].slots_overruled, 1u);
+    EXPECT_EQ(merge.sources(2s)[1].slots_overruled, 0u);
+}
+
+TEST(Merge, a_desk_that_follows_another_is_in_no_fight_with_it) {
+    Merge merge;
+    Desk main{1}, tracks{2};
+    std::size_t differs = 0;
+    for (int i = 0; i < 160; ++i) {
+        const nanoseconds now = i * 25ms;
+        merge.feed(main.packet({i % 200 + 1, 255}), now);
+        const auto between = merge.sources(now + 2ms);
+        differs += between.size() > 1 ? between[0].slots_overruled + between[1].slots_overruled : 0;
+        merge.feed(tracks.packet({i % 200 + 1, 255}), now + 4ms);
+        merge.tick(now + 5ms);
+    }
+    EXPECT_EQ(differs, 0u);
 }
 
 TEST(Merge, slots_that_a_source_holds) {

@@ -143,6 +143,23 @@ SourceStatus after_two_seconds(const std::function<void(Merge&, int, nanoseconds
     return merge.sources(88 * 25ms).at(0);
 }
 
+TEST(Merge, a_desk_that_begins_anew_lost_nothing) {
+    Merge merge;
+    Desk desk{1};
+    std::uint64_t lost_before = 0;
+    for (int i = 0; i < 400; ++i) {
+        const nanoseconds now = i * 25ms;
+        if (i == 100) desk.sequence = static_cast<std::uint8_t>(desk.sequence + 120); // and at once
+        const Packet packet = desk.packet({1});
+        const bool pulled = i >= 200 && i < 240; // a second
+        if (!pulled) merge.feed(packet, now);
+        merge.tick(now);
+        if (i == 199) lost_before = merge.counters().lost;
+    }
+    EXPECT_EQ(lost_before, 0u) << "of the first five seconds";
+    EXPECT_EQ(merge.counters().lost, 40u);
+}
+
 TEST(Merge, two_programs_without_numbers_are_told_by_their_ports) {
     const auto level = [](int i) { return static_cast<std::uint8_t>(i % 2 * 255); };
     const SourceStatus two = after_two_seconds([](Merge& merge, int i, nanoseconds now) {
