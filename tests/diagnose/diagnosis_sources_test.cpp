@@ -124,7 +124,8 @@ TEST(diagnosis, WhatIsNoneOfTheShowIsNoProblem) {
     ASSERT_NE(network.text(Trouble::two_desks), "not said");
     for (const Sentence& sentence : network.sentences()) EXPECT_FALSE(sentence.is_problem) << sentence.text;
     network.patch = PatchMap(show_on({1, 9}));
-    EXPECT_TRUE(std::any_of(network.sentences().begin(), network.sentences().end(),
+    const std::vector<Sentence> of_the_show = network.sentences();
+    EXPECT_TRUE(std::any_of(of_the_show.begin(), of_the_show.end(),
                             [](const Sentence& one) { return one.is_problem; }));
 }
 
