@@ -4,7 +4,6 @@
 #include "dmx/merge/merge.h"
 
 #include <algorithm>
-#include <bitset>
 
 namespace ghost::dmx {
 
@@ -73,10 +72,11 @@ std::vector<bool> taking_part(std::span<const LevelSource> sources, bool show_pr
 
 namespace {
 
-// Of each source the number of slots that it holds and for which this is true (by source, slot, and whether
-// the slot stands still).
+// Of each source the number of slots that it holds and for which this is true; unless moving_too, of those
+// that stand still.
 template <class Counts>
-std::vector<std::size_t> count_held(std::span<const LevelSource> sources, bool show_preview, Counts counts) {
+std::vector<std::size_t> count_held(std::span<const LevelSource> sources, bool show_preview, Counts counts,
+                                    bool moving_too = false) {
     const std::vector<bool> takes_part = taking_part(sources, show_preview);
     Levels best{};
     for (std::size_t i = 0; i < sources.size(); ++i)
@@ -85,35 +85,38 @@ std::vector<std::size_t> count_held(std::span<const LevelSource> sources, bool s
     const auto holds = [&](std::size_t i, std::size_t slot) {
         return takes_part[i] && best[slot] > 0 && sources[i].rank(slot) == best[slot];
     };
-    // At all that hold it: what differs there does so for longer than desks that follow each other are apart.
-    std::bitset<kSlots> moves;
-    for (std::size_t i = 0; i < sources.size(); ++i)
-        for (std::size_t slot = 0; slot < sources[i].slot_count(); ++slot)
-            if (holds(i, slot) && !sources[i].stands(slot)) moves.set(slot);
+    // What differs where all that hold it stand still does so for longer than desks that follow each other
+    // are apart.
+    const auto stands = [&](std::size_t slot) {
+        for (std::size_t i = 0; i < sources.size(); ++i)
+            if (slot < sources[i].slot_count() && holds(i, slot) && !sources[i].stands(slot)) return false;
+        return true;
+    };
     std::vector<std::size_t> result(sources.size());
     for (std::size_t i = 0; i < sources.size(); ++i)
         for (std::size_t slot = 0; slot < sources[i].slot_count(); ++slot)
-            if (holds(i, slot)) result[i] += counts(sources[i], slot, !moves[slot]) ? 1 : 0;
+            if (holds(i, slot) && counts(sources[i], slot) && (moving_too || stands(slot))) ++result[i];
     return result;
 }
 
 } // namespace
 
 std::vector<std::size_t> slots_held(std::span<const LevelSource> sources, bool show_preview) {
-    return count_held(sources, show_preview, [](const LevelSource&, std::size_t, bool) { return true; });
+    return count_held(
+        sources, show_preview, [](const LevelSource&, std::size_t) { return true; }, true);
 }
 
 std::vector<std::size_t> slots_overruled(std::span<const LevelSource> sources, bool show_preview,
                                          const Levels& merged) {
-    return count_held(sources, show_preview, [&](const LevelSource& source, std::size_t slot, bool stands) {
-        return stands && source.level(slot) != merged[slot];
+    return count_held(sources, show_preview, [&](const LevelSource& source, std::size_t slot) {
+        return source.level(slot) != merged[slot];
     });
 }
 
 std::vector<std::size_t> slots_contested(std::span<const LevelSource> sources, bool show_preview,
                                          const Levels& merged) {
-    return count_held(sources, show_preview, [&](const LevelSource& source, std::size_t slot, bool stands) {
-        return stands && source.level(slot) > 0 && source.level(slot) != merged[slot];
+    return count_held(sources, show_preview, [&](const LevelSource& source, std::size_t slot) {
+        return source.level(slot) > 0 && source.level(slot) != merged[slot];
     });
 }
 
