@@ -80,9 +80,10 @@ struct SourceStatus {
     double jitter_ms = 0.0;                 // how far its packets come from an even beat, in the mean
     // Whoever sends other packets in its name at the same time, from another address or by another interface.
     std::optional<IpAddress> double_from;
-    bool is_dark = false;            // nothing that it sends is above 0
-    std::size_t slots_held = 0;      // of slot_count: where nobody on its universe ranks higher
-    std::size_t slots_overruled = 0; // of slots_held: where another of its rank has another level that shows
+    bool is_dark = false;       // nothing that it sends is above 0
+    std::size_t slots_held = 0; // of slot_count: where nobody on its universe ranks higher
+    std::size_t slots_overruled =
+        0; // of slots_held that stand still: where another of its rank has another level that shows
     std::size_t slots_contested = 0; // of slots_overruled: where its own level is above 0
     std::chrono::nanoseconds age{0}; // since its last level packet, without time in which we did not listen
     std::shared_ptr<const SourceSlots> slots; // where MergeOptions::slot_status asks for it, else null

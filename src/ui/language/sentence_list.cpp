@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// One pattern a line, and lupdate reads no other form, so that it is over 600 lines.
+// Not split though over 600 lines: one list with headings, whose form, a pattern a line, is the only one that
+// lupdate reads.
 #include "ui/language/private/sentence_list.h"
 
 #include <QCoreApplication>
