@@ -155,9 +155,11 @@ bool LiveView::update_maps(const std::vector<shared::Light>& lights) {
     const double begin_s = steady_now_s();
     const bake::MovingMaps::News news = moving_maps_->update(lights);
     const double traced_s = steady_now_s();
+    std::vector<render::DistanceImages::Change> changes;
     for (const bake::MovingMaps::Changed& changed : news.maps)
         if (changed.map < maps_.maps.size()) // else left out
-            distances_->set_blocks(changed.map, moving_maps_->distance(changed.map), changed.blocks);
+            changes.push_back({changed.map, moving_maps_->distance(changed.map), changed.blocks});
+    distances_->set_blocks(changes);
     distances_->finish();
     map_work_ = {news.rays, 1e3 * (traced_s - begin_s), 1e3 * (steady_now_s() - traced_s)};
     return news.is_seen_by_resting;

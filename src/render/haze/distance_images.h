@@ -29,9 +29,14 @@ public:
 
     // Of a map that was left out: nothing happens.
     void set(std::size_t index, const std::vector<std::uint16_t>& distance);
-    // The same where only some blocks of kDistanceBlock texels a side changed since it was set, row by row.
-    void set_blocks(std::size_t index, const std::vector<std::uint16_t>& distance,
-                    const std::vector<int>& blocks);
+    // The same of maps of which only some blocks of kDistanceBlock texels a side changed since they were set,
+    // each map once. Uses all cores.
+    struct Change {
+        std::size_t index = 0;
+        const std::vector<std::uint16_t>& distance;
+        const std::vector<int>& blocks; // row by row
+    };
+    void set_blocks(const std::vector<Change>& changes);
     // All that was set goes to the device at once. Waits.
     void finish() { uploads_.finish(); }
     std::size_t count() const { return texture_.shape().layers; }
@@ -44,6 +49,7 @@ public:
     std::uint32_t wanted_side() const { return wanted_side_; } // more than side(): memory ran short
 
 private:
+    void add_blocks(const Change& change);
     void add_whole(std::uint32_t layer, const std::vector<std::uint16_t>& distance,
                    const std::vector<std::vector<Blockers>>& levels);
 
