@@ -19,8 +19,8 @@ bool GzipFile::recognises(Bytes first_bytes) {
     return first_bytes.size() >= 3 && first_bytes[0] == 0x1F && first_bytes[1] == 0x8B && first_bytes[2] == 8;
 }
 
-GzipFile::GzipFile(std::ifstream file, std::uint64_t packed_bytes)
-    : file_(std::move(file)), stream_(std::make_unique<z_stream_s>()) {
+GzipFile::GzipFile(std::ifstream file, std::uint64_t packed_bytes, std::uint64_t most_bytes)
+    : file_(std::move(file)), most_bytes_(most_bytes), stream_(std::make_unique<z_stream_s>()) {
     CHECK(inflateInit2(stream_.get(), kGzip) == Z_OK); // memory alone could fail
     packed_.resize(kPackedBytes);
     if (packed_bytes >= kLeastBytes) {
@@ -81,7 +81,14 @@ bool GzipFile::unpack_more() {
     }
     window_.resize(window_.size() - stream_->avail_out);
     offset_ += window_.size();
-    if (offset_ >= kMaxUnpackedBytes && !ended_) stop("the gzip file unpacks to more than is read");
+    if (offset_ > most_bytes_) {
+        window_.resize(window_.size() - static_cast<std::size_t>(offset_ - most_bytes_));
+        offset_ = most_bytes_;
+        ended_ = true;
+        if (!problem_)
+            problem_ = "the gzip file unpacks to more than the " + std::to_string(most_bytes_) +
+                       " bytes that are read";
+    }
     return !window_.empty();
 }
 

@@ -24,7 +24,7 @@ inline constexpr std::uint64_t kMaxUnpackedBytes = 64ull << 30; // further on no
 class GzipFile {
 public:
     static bool recognises(Bytes first_bytes);
-    GzipFile(std::ifstream file, std::uint64_t packed_bytes);
+    GzipFile(std::ifstream file, std::uint64_t packed_bytes, std::uint64_t most_bytes = kMaxUnpackedBytes);
     ~GzipFile();
 
     // Up to target.size() bytes from offset; fewer at the end, and where problem() says why.
@@ -38,6 +38,7 @@ private:
     bool unpack_more();
 
     std::ifstream file_;
+    std::uint64_t most_bytes_; // unpacked
     std::uint64_t told_size_ = 0;
     std::unique_ptr<z_stream_s> stream_;
     std::vector<std::uint8_t> packed_, window_; // window_: the last bytes unpacked

@@ -63,6 +63,8 @@ Result<ChildResult> run_child(const std::vector<std::string>& words, const std::
     }
     ::close(ends[0]);
     if (!process.ok()) return process.error();
+    if (result.output.size() > kMostChildOutput)
+        result.output.erase(0, result.output.size() - kMostChildOutput);
     int status = 0;
     while (::waitpid(*process, &status, 0) < 0 && errno == EINTR) {
     }

@@ -2,6 +2,7 @@
 #include "book/book_json.h"
 
 #include "json_xml_toml/json.h"
+#include "show/limits.h"
 
 #include <nlohmann/json.hpp>
 
@@ -12,7 +13,6 @@ using Json = nlohmann::ordered_json;
 
 constexpr int kVersion = 1;
 constexpr JsonLimits kLimits{.bytes = kMostBookBytes, .values = 40'000'000};
-constexpr std::size_t kMostFixturesOfBook = 1'000'000;
 
 template <class T>
 Json optional(const std::optional<T>& value) {
@@ -145,8 +145,11 @@ Result<Book> book_from(std::string_view text, const std::string& where) {
     } catch (const Json::exception& error) {
         return Error{std::string("is a damaged cue book: ") + error.what(), where};
     }
-    if (book.entries.size() > kMostEntries || book.fixtures.size() > kMostFixturesOfBook)
-        return Error{"has more entries or fixtures than a cue book may have", where};
+    if (book.entries.size() > kMostEntries || book.fixtures.size() > kMaxFixtures)
+        return Error{"has " + std::to_string(book.entries.size()) + " entries and " +
+                         std::to_string(book.fixtures.size()) + " fixtures, a cue book has at most " +
+                         std::to_string(kMostEntries) + " and " + std::to_string(kMaxFixtures),
+                     where};
     for (const BookEntry& entry : book.entries)
         for (const BookPicture& picture : entry.pictures)
             if (!is_of_book(picture.file))

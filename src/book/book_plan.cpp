@@ -2,6 +2,7 @@
 #include "book/book_plan.h"
 
 #include "base/progress.h"
+#include "book/rests.h"
 #include "show/looks.h"
 #include "show/show.h"
 
@@ -112,6 +113,10 @@ Result<BookPlan> plan_book(const Show& show, const std::vector<StoredLook>& look
         if (show.recording.empty()) return Error{"has no recording to find cues in", file};
         if (found_s.empty())
             return Error{"never comes to rest: no cue is found in it", show.recording.string()};
+        if (found_s.size() > kMostRests)
+            return Error{"comes to rest " + std::to_string(found_s.size()) + " times, at most " +
+                             std::to_string(kMostRests) + " are taken as cues",
+                         show.recording.string()};
         plan.kind = "moments found";
         plan_found(found_s, style, plan);
     } else {

@@ -6,12 +6,14 @@
 
 #include "dmx/wire/universes.h"
 
+#include <cstddef>
 #include <optional>
 #include <vector>
 
 namespace ghost::scene {
 
-inline constexpr double kRest_s = 1.0; // as long as a look is seen as one
+inline constexpr double kRest_s = 1.0;          // as long as a look is seen as one
+inline constexpr std::size_t kMostRests = 1000; // of a recording: more are no cues
 
 class RestFinder {
 public:

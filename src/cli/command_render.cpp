@@ -10,6 +10,7 @@
 #include "cli/render/render_film.h"
 #include "dmx/record/recording_tasks.h"
 #include "live/session/film_sound.h"
+#include "show/show.h"
 
 #include "bake/bake_show.h"
 #include "base/log.h"
@@ -23,8 +24,6 @@
 
 namespace ghost::app {
 namespace {
-
-constexpr float kFarthest_m = 10000; // of what a show file may place
 
 // What the command line asks for, checked before anything is opened.
 Result<bool> check_usage(RenderArguments& arguments) {
@@ -61,8 +60,8 @@ Result<bool> check_usage(RenderArguments& arguments) {
         eye.target_m = {arguments.target_m[0], arguments.target_m[1], arguments.target_m[2]};
         eye.fov_y_deg = arguments.fov_y_deg;
         for (int axis = 0; axis < 3; ++axis)
-            if (!(std::abs(eye.position_m[axis]) <= kFarthest_m &&
-                  std::abs(eye.target_m[axis]) <= kFarthest_m))
+            if (!(std::abs(eye.position_m[axis]) <= scene::kMaxCoordinate_m &&
+                  std::abs(eye.target_m[axis]) <= scene::kMaxCoordinate_m))
                 return Error{"metres must be numbers up to 10 km", "--eye/--target"};
         if (glm::distance(eye.position_m, eye.target_m) < 1e-3f)
             return Error{"the camera stands at what it looks at", "--eye/--target"};

@@ -28,10 +28,6 @@
 namespace ghost::app {
 namespace {
 
-constexpr int kGap_px = 4;
-constexpr std::int64_t kMostPixels = std::int64_t{1} << 28; // of the sheet: a gigabyte
-constexpr std::uint8_t kGround = 24;
-
 struct SheetArguments {
     SessionOptions session;
     std::string out;
@@ -107,15 +103,15 @@ Result<void> draw_sheet(SheetArguments& arguments) {
         player.emplace(std::move(recording));
     }
     const auto columns = static_cast<int>(cameras.size()), lines = static_cast<int>(rows.size());
-    const std::int64_t width = kGap_px + std::int64_t{columns} * (arguments.width + kGap_px);
-    const std::int64_t height = kGap_px + std::int64_t{lines} * (arguments.height + kGap_px);
-    if (width * height > kMostPixels)
+    const std::int64_t width = kSheetGap_px + std::int64_t{columns} * (arguments.width + kSheetGap_px);
+    const std::int64_t height = kSheetGap_px + std::int64_t{lines} * (arguments.height + kSheetGap_px);
+    if (width * height > kMostSheetPixels)
         return Error{std::to_string(lines) + " looks of " + std::to_string(columns) + " cameras at " +
                          arguments.size + " are " + std::to_string(width) + "x" + std::to_string(height) +
-                         " pixels, at most " + std::to_string(kMostPixels) + " are possible",
+                         " pixels, at most " + std::to_string(kMostSheetPixels) + " are possible",
                      "--size"};
     image::Image8 sheet(static_cast<int>(width), static_cast<int>(height), 4);
-    std::fill(sheet.samples.begin(), sheet.samples.end(), kGround);
+    std::fill(sheet.samples.begin(), sheet.samples.end(), kSheetGround);
     for (std::size_t i = 3; i < sheet.samples.size(); i += 4) sheet.samples[i] = 255;
 
     catch_interrupts();
@@ -137,8 +133,8 @@ Result<void> draw_sheet(SheetArguments& arguments) {
             session->draw();
             image::Image8 picture = session->relighter->picture();
             draw_caption(picture, row.name.empty() ? camera.name : row.name + " - " + camera.name);
-            put(picture, kGap_px + column * (arguments.width + kGap_px),
-                kGap_px + line * (arguments.height + kGap_px), sheet);
+            put(picture, kSheetGap_px + column * (arguments.width + kSheetGap_px),
+                kSheetGap_px + line * (arguments.height + kSheetGap_px), sheet);
             progress.update(static_cast<double>(++drawn) / (lines * columns), steady_now_s(), row.name);
         }
     }

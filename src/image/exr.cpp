@@ -24,7 +24,6 @@
 namespace ghost::image {
 namespace {
 
-constexpr int kMaxSide = 16384;
 constexpr float kHalfMax = 65504.0f;
 constexpr std::size_t kMaxChannels = 64;
 constexpr std::uint64_t kMaxSamples = std::uint64_t{512} << 20;

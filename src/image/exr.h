@@ -16,6 +16,8 @@
 
 namespace ghost::image {
 
+inline constexpr int kMaxSide = 16384; // pixels
+
 enum class ExrSample { half, full };
 
 struct ExrFile {

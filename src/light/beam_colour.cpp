@@ -2,6 +2,7 @@
 #include "light/private/beam_colour.h"
 
 #include "fixture/curves.h"
+#include "fixture/lamp.h"
 #include "image/colour.h"
 
 #include <algorithm>
@@ -13,6 +14,8 @@ namespace {
 using fixture::Beam;
 using fixture::ColorCie;
 using fixture::Filter;
+using fixture::kFullCtb_mired;
+using fixture::kFullCto_mired;
 using fixture::Optics;
 using fixture::Type;
 using glm::vec3;
@@ -25,11 +28,9 @@ const vec3 kRedFull{0.90f, 0.03f, 0.01f};
 const vec3 kGreenFull{0.03f, 0.75f, 0.02f};
 const vec3 kBlueFull{0.01f, 0.04f, 0.85f};
 
-// What gels of a full shift let through: Lee 204 and 201.
+// What gels of a full shift let through.
 constexpr float kFullCto = 0.55f;
-constexpr float kFullCto_mired = 159.0f;
 constexpr float kFullCtb = 0.34f;
-constexpr float kFullCtb_mired = 137.0f;
 
 constexpr float kFullTint_duv = 0.02f;
 constexpr float kLeast = 1e-4f; // of a white: its components are divided by

@@ -139,8 +139,6 @@ Result<LoadedPlot> load(fixture::Archive archive, const std::string& name,
     return loaded;
 }
 
-constexpr fixture::ArchiveLimits kLimits{kMaxMvrEntries, kMaxMvrMemberBytes, kMaxMvrTotalBytes};
-
 } // namespace
 
 bool leads_out(const std::string& member) {
@@ -194,14 +192,14 @@ Result<LoadedPlot> load_mvr(const std::filesystem::path& path, const MvrLoading&
         return Error{"has " + std::to_string(bytes) + " bytes, at most " + std::to_string(kMaxMvrBytes) +
                          " are allowed",
                      path.string()};
-    TRY(fixture::Archive archive, fixture::Archive::open_file(path, kLimits));
+    TRY(fixture::Archive archive, fixture::Archive::open_file(path, loading.limits));
     return load(std::move(archive), path.filename().string(), nullptr, loading);
 }
 
 Result<LoadedPlot> load_mvr(std::vector<std::uint8_t> bytes, const std::string& name,
                             const MvrLoading& loading) {
     const auto kept = std::make_shared<const std::vector<std::uint8_t>>(std::move(bytes));
-    TRY(fixture::Archive archive, fixture::Archive::open(*kept, name, kLimits));
+    TRY(fixture::Archive archive, fixture::Archive::open(*kept, name, loading.limits));
     return load(std::move(archive), name, kept, loading);
 }
 

@@ -40,6 +40,7 @@ struct MvrLoading {
     // share 0..1 and what is being done; called from the loading thread, a few hundred times at most.
     std::function<void(double share, std::string_view what)> progress;
     const std::atomic<bool>* cancel = nullptr; // set: load_mvr returns an error soon
+    fixture::ArchiveLimits limits = {kMaxMvrEntries, kMaxMvrMemberBytes, kMaxMvrTotalBytes};
 };
 
 struct LoadedPlot {

@@ -2,6 +2,7 @@
 #include "passes/passes_file.h"
 
 #include "disk/files.h"
+#include "image/exr.h"
 #include "json_xml_toml/json.h"
 
 #include <cmath>
@@ -13,7 +14,6 @@ namespace {
 using nlohmann::json;
 
 constexpr std::uintmax_t kMaxManifestBytes = 16u << 20;
-constexpr int kMaxSide = 16384;
 
 json numbers(const glm::vec3& v) {
     return json::array({v.x, v.y, v.z});
@@ -142,8 +142,8 @@ Result<PassManifest> parse_manifest(std::string_view text, const std::string& wh
                      where};
     m.camera = top.text("camera");
     top.floats("camera_to_world", &m.camera_to_world[0][0], 16);
-    m.width = static_cast<int>(top.whole("width", 1, kMaxSide));
-    m.height = static_cast<int>(top.whole("height", 1, kMaxSide));
+    m.width = static_cast<int>(top.whole("width", 1, image::kMaxSide));
+    m.height = static_cast<int>(top.whole("height", 1, image::kMaxSide));
     m.spp = static_cast<int>(top.whole("spp", 1, 1 << 20));
     m.bounces = static_cast<int>(top.whole("bounces", 0, 64));
     if (const json* fov = top.find("fov_y_deg"); fov != nullptr) {
@@ -165,7 +165,7 @@ Result<PassManifest> parse_manifest(std::string_view text, const std::string& wh
         fields.floats("rect", rect, 4);
         for (std::size_t k = 0; k < 4; ++k)
             body.rect[k] =
-                static_cast<int>(std::fmin(std::fmax(rect[k], 0.0f), static_cast<float>(kMaxSide)));
+                static_cast<int>(std::fmin(std::fmax(rect[k], 0.0f), static_cast<float>(image::kMaxSide)));
         m.bodies.push_back(std::move(body));
     }
     for (const json& entry : top.list("lights")) {

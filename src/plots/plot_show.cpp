@@ -7,6 +7,7 @@
 #include "light/led_wall_light.h"
 #include "plots/plot_types.h"
 #include "plots/private/plot_media.h"
+#include "show/limits.h"
 #include "stage/model_file.h"
 
 #include <algorithm>
@@ -21,8 +22,7 @@
 namespace ghost::scene {
 namespace {
 
-constexpr std::size_t kMaxFixtures = 10'000; // as of a show file
-constexpr std::size_t kMaxNameBytes = 90;    // leaves room for a number
+constexpr std::size_t kMaxNameBytes = 90; // leaves room for a number
 constexpr double kScaled = 0.01;
 constexpr double kAimed_deg = 0.5;
 constexpr float kFlat = 0.2f; // depth of a wall, as a share of its shorter side

@@ -18,7 +18,6 @@ namespace {
 
 constexpr double kFar_m = 5000.0;
 constexpr double kOriginStep_m = 1000.0;
-constexpr std::size_t kMaxDrawnTriangles = 20'000'000; // as of a model file
 constexpr std::size_t kMaxPictureBytes = std::size_t{2} << 30;
 constexpr std::uint64_t kMaxPartBytes = std::uint64_t{256} << 20;
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "reference/reference.h"
 
+#include "image/exr.h"
 #include "rays/sampling.h"
 
 #include <algorithm>
@@ -21,7 +22,6 @@ using std::numbers::pi;
 // Part of the model: nearer than this to the apex nothing gets brighter.
 constexpr double kNearest_m = 1e-3;
 constexpr int kSkyRays = 256;
-constexpr int kMaxSide = 16384;
 
 // Visibility of a light, eight points at a time; what is visible is added up.
 class ShadowedSum {
@@ -353,13 +353,13 @@ Result<image::ImageF> reference_picture(const Tracer* tracer, const scene::Camer
                                         const std::vector<shared::Light>& lights, const shared::Gobos& gobos,
                                         const shared::Haze& haze, float ambient_lux,
                                         const ReferenceOptions& options) {
-    TRY_VOID(check_range("width", camera.width, 1, kMaxSide));
-    TRY_VOID(check_range("height", camera.height, 1, kMaxSide));
+    TRY_VOID(check_range("width", camera.width, 1, image::kMaxSide));
+    TRY_VOID(check_range("height", camera.height, 1, image::kMaxSide));
     TRY_VOID(check_range("air_samples", options.air_samples, 1, 1 << 20));
     TRY_VOID(check_range("pixel_samples", options.pixel_samples, 1, 64));
     TRY_VOID(check_range("lens_samples", options.lens_samples, 1, 4096));
     TRY_VOID(check_range("density_samples", options.density_samples, 1, 1 << 20));
-    TRY_VOID(check_range("every", options.every, 1, kMaxSide));
+    TRY_VOID(check_range("every", options.every, 1, image::kMaxSide));
     TRY_VOID(check_range("threads", options.threads, 0, 4096));
     if (!(options.far_m > 0.0f) || !std::isfinite(options.far_m))
         return Error{"far_m is " + std::to_string(options.far_m) + ", expected metres above zero",

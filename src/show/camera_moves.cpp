@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "show/camera_moves.h"
 
+#include "show/show.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -9,7 +11,7 @@ namespace {
 
 constexpr float kPi = 3.14159265f;
 constexpr float kSteepest_rad = 1.5f; // 86 degrees: straight up there is no sideways
-constexpr float kFarthest_m = 10000;  // of what a show file may place
+constexpr float kMost_m = static_cast<float>(kMaxCoordinate_m);
 constexpr float kWidest_deg = 170;
 
 struct Way {
@@ -35,7 +37,7 @@ Way tilted(Way way, float up_rad) {
 }
 
 void move(Camera& camera, const glm::vec3& by_m) {
-    const glm::vec3 eye_m = glm::clamp(camera.position_m + by_m, -kFarthest_m, kFarthest_m);
+    const glm::vec3 eye_m = glm::clamp(camera.position_m + by_m, -kMost_m, kMost_m);
     camera.target_m += eye_m - camera.position_m;
     camera.position_m = eye_m;
 }
@@ -88,7 +90,7 @@ Camera panned(const Camera& camera, float right_share, float up_share) {
 
 Camera dollied(const Camera& camera, float factor) {
     Way way = way_of(camera.target_m - camera.position_m);
-    way.length_m = std::clamp(way.length_m * factor, kNearest_m, kFarthest_m);
+    way.length_m = std::clamp(way.length_m * factor, kNearest_m, kMost_m);
     Camera moved = camera;
     moved.position_m = camera.target_m - vector_of(way);
     return moved;
@@ -107,7 +109,7 @@ Camera focused(const Camera& camera, const glm::vec3& centre_m, float radius_m) 
         static_cast<float>(std::max(camera.width, 1)) / static_cast<float>(std::max(camera.height, 1));
     const float half_rad = std::atan(tan_half_height(camera) * std::min(shape, 1.0f));
     Way way = way_of(camera.target_m - camera.position_m);
-    way.length_m = std::clamp(radius_m / std::sin(half_rad), kNearest_m, kFarthest_m);
+    way.length_m = std::clamp(radius_m / std::sin(half_rad), kNearest_m, kMost_m);
     Camera moved = camera;
     moved.target_m = centre_m;
     moved.position_m = centre_m - vector_of(way);

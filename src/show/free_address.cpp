@@ -11,7 +11,7 @@
 namespace ghost::fixture {
 namespace {
 
-constexpr int kChannels = 512;
+constexpr int kChannels = static_cast<int>(dmx::kSlots);
 
 } // namespace
 

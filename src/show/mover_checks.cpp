@@ -4,6 +4,7 @@
 
 #include "base/suggest.h"
 #include "base/text.h"
+#include "dmx/wire/universes.h"
 #include "show/show.h"
 
 #include <algorithm>
@@ -17,7 +18,7 @@ namespace ghost::scene {
 namespace {
 
 constexpr std::size_t kMostSaidOfNames = 200;
-constexpr int kChannels = 512; // of a universe
+constexpr int kChannels = static_cast<int>(dmx::kSlots); // of a universe
 
 std::string short_name(const std::string& name) {
     return "'" + name.substr(0, 60) + "'";

@@ -3,14 +3,11 @@
 
 #include "dmx/wire/universes.h"
 #include "json_xml_toml/toml_reader.h"
+#include "show/limits.h"
 #include "show/show.h"
 
 namespace ghost::scene {
-namespace {
-
-constexpr int kMaxBreaks = 64;
-
-} // namespace
+namespace {} // namespace
 
 ChangeEntry read_change(TableReader& reader) {
     ChangeEntry entry;
@@ -23,7 +20,7 @@ ChangeEntry read_change(TableReader& reader) {
         entry.address = fixture::Address{universe.value_or(1), *address};
     else if (universe)
         reader.problem(Severity::error, "universe", "says nothing without an address (0: not patched)");
-    entry.dmx_break = reader.integer("break", 1, kMaxBreaks).value_or(1);
+    entry.dmx_break = reader.integer("break", 1, int{kMaxBreaks}).value_or(1);
     entry.mode = reader.text("mode");
     entry.name = reader.text("name");
     entry.position_m = reader.vec3("position_m", kMaxCoordinate_m);

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "show_file/mover_edit.h"
 
+#include "dmx/wire/universes.h"
 #include "json_xml_toml/toml_keys.h"
 
 namespace ghost::scene {
 namespace {
 
-constexpr int kChannels = 512; // of a universe
+constexpr int kChannels = static_cast<int>(dmx::kSlots); // of a universe
 constexpr int kBitsOfByte = 8;
 
 std::string names_text(const std::vector<std::string>& names) {

@@ -4,6 +4,7 @@
 #include "dmx/wire/universes.h"
 #include "json_xml_toml/toml_problem.h"
 #include "json_xml_toml/toml_reader.h"
+#include "show/limits.h"
 #include "show/names.h"
 #include "show_file/private/laser_toml.h"
 #include "show_file/private/media_toml.h"
@@ -19,11 +20,9 @@ namespace {
 
 constexpr float kSamePlace_m = 1e-4f;
 constexpr std::size_t kMaxCameras = 256;
-constexpr std::size_t kMaxFixtures = 10'000;
 constexpr std::size_t kMaxStops = 64;
 constexpr std::size_t kMaxHidden = 1000;
 constexpr std::size_t kMaxChanges = 100'000;
-constexpr std::size_t kMaxBreaks = 64;
 constexpr int kMaxPictureSide = 16384;
 constexpr double kLongestOffset_s = 86'400;
 

@@ -10,8 +10,6 @@
 namespace ghost::scene {
 namespace {
 
-constexpr std::size_t kMaxDrawnTriangles = 20'000'000; // as of a model file
-
 glm::mat4 place_of(const Model& model) {
     return glm::scale(placed(model.position_m, model.rotation_deg), glm::vec3(model.scale));
 }

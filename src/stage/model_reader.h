@@ -6,11 +6,15 @@
 
 #include "stage/model_file.h"
 
+#include <cstddef>
 #include <filesystem>
 #include <string>
 #include <vector>
 
 namespace ghost::scene {
+
+// Of a model with all its instances, and of a stage that is made of several.
+inline constexpr std::size_t kMaxDrawnTriangles = 20'000'000;
 
 // What may come from where: archives (GDTF, MVR) hold .3ds, .glb and .gltf; a show's folder .obj, too.
 enum class ModelSource { archive, folder };

@@ -4,6 +4,7 @@
 #include "json_xml_toml/xml_encoding.h"
 #include "stage/gltf_pack.h"
 #include "stage/model_file.h"
+#include "stage/model_reader.h"
 #include "stage/mtl.h"
 #include "stage/stage_checks.h"
 
@@ -29,7 +30,6 @@
 namespace ghost::scene {
 namespace {
 
-constexpr std::size_t kMaxDrawnTriangles = 20'000'000;
 constexpr std::size_t kMaxInstances = 1'000'000;
 
 // (x, y, z) with Y up -> (x, -z, y) with Z up.

@@ -98,10 +98,9 @@ void Server::send_all_away() {
 }
 
 void Server::run() {
-    constexpr double kBytesPerMbit = 1e6 / 8;
     give_way();
     try {
-        ServerLoop loop(link_, *listener_, *wake_, gate_, options_.book, options_.mbit * kBytesPerMbit);
+        ServerLoop loop(link_, *listener_, *wake_, gate_, options_);
         while (!stop_) loop.round();
     } catch (const std::exception& problem) { // no memory, as a rule
         log_error(std::string("browsers see nothing any more: ") + problem.what());

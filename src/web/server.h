@@ -32,6 +32,8 @@ struct ServerOptions {
     std::string book;       // folder of a cue book; empty: there is none
     bool control = false;   // there is a token that may control
     bool digits_now = true; // six digits hold from the beginning
+    double silence_s =
+        120; // of a viewer, who is gone then; hidden tabs say little, their system answers pings
 };
 
 // What lets browsers in now.

@@ -16,8 +16,7 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr double kHead_s = 5; // for a whole request
-constexpr double kSilence_s =
-    120; // of a viewer; hidden tabs say little, and the system answers pings for them
+constexpr double kBytesPerMbit = 1e6 / 8;
 constexpr double kAskIfThereEvery_s = 30;
 constexpr int kMostAtOnce = 32; // who come in a round: viewers do not wait for a flood
 constexpr auto kWatchedRound = 25ms, kIdleRound = 500ms;
@@ -37,8 +36,9 @@ std::string short_reason(std::string text) {
 } // namespace
 
 ServerLoop::ServerLoop(ui::Link& link, dmx::TcpListener& listener, dmx::StreamWake& wake, Gate& gate,
-                       const std::string& book, double bytes_per_s)
-    : link_(link), listener_(listener), wake_(wake), gate_(gate), book_(book), ration_(bytes_per_s) {}
+                       const ServerOptions& options)
+    : link_(link), listener_(listener), wake_(wake), gate_(gate), book_(options.book),
+      silence_s_(options.silence_s), ration_(options.mbit * kBytesPerMbit) {}
 
 void ServerLoop::round() {
     wait();
@@ -287,7 +287,7 @@ void ServerLoop::end_what_is_late(Guest& guest) {
         if (now - guest.connection.since_s() > kHead_s) answer(guest, refusal(408));
         return;
     }
-    if (now - guest.connection.heard_s() > kSilence_s)
+    if (now - guest.connection.heard_s() > silence_s_)
         return end_live(guest, kCloseGoingAway, "nothing was heard");
     if (now - guest.viewer->asked_if_there_s < kAskIfThereEvery_s) return;
     guest.viewer->asked_if_there_s = now;

@@ -25,6 +25,7 @@ struct XchangeOptions {
     std::uint16_t port = 0;                   // TCP, ours; 0: one that is free
     std::uint16_t mdns_port = 5353;           // another one for tests
     bool finds = true;                        // by mDNS, and is found
+    std::uint64_t most_bytes = 16ull << 30;   // that are taken, all plots together
 };
 
 struct XchangeEvent {

@@ -18,8 +18,7 @@ constexpr std::size_t kMostJoining = 16;
 constexpr std::size_t kMostNames = 256;
 constexpr std::size_t kMostFetching = 4;
 constexpr std::size_t kMostWanted = 256;
-constexpr std::size_t kMostTakenFiles = 1000;     // that are taken in one session ..
-constexpr std::uint64_t kMostBytes = 16ull << 30; // .. and their size
+constexpr std::size_t kMostTakenFiles = 1000; // that are taken in one session
 constexpr int kMostTries = 30;
 constexpr double kLookAgain_s = 1;
 constexpr double kAgain_s = 5; // after something failed, longer each time
@@ -323,7 +322,10 @@ Result<void> Xchange::Loop::take_piece(Connection& connection, Bytes piece, bool
     }
     fetch.bytes += piece.size();
     received_bytes_ += piece.size();
-    if (received_bytes_ > kMostBytes) return Error{"more than one session takes; start again to go on", ""};
+    if (received_bytes_ > options_.most_bytes)
+        return Error{"the plots of this session have more than " + std::to_string(options_.most_bytes) +
+                         " bytes; start again to go on",
+                     ""};
     fetch.out.write(reinterpret_cast<const char*>(piece.data()), static_cast<std::streamsize>(piece.size()));
     if (!fetch.out) return Error{"cannot be written; is the disk full?", options_.save.string()};
     return last ? finish_file(connection) : Result<void>();

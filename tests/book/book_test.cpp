@@ -6,6 +6,7 @@
 #include "book/book_json.h"
 #include "book/book_plan.h"
 #include "book/rests.h"
+#include "show/limits.h"
 #include "show/looks.h"
 #include "show/show.h"
 
@@ -110,7 +111,26 @@ TEST(Plan, of_what_is_not_there_is_an_error) {
     for (const BookKind kind : {BookKind::cues, BookKind::looks, BookKind::found})
         EXPECT_FALSE(plan_book(show, {}, kind, {}).ok());
     EXPECT_EQ(plan_book(show, {}, BookKind::found, {}).error().where, "demo.ghostdmx");
-    EXPECT_FALSE(plan_book(show, {}, BookKind::found, std::vector<double>(kMostEntries + 1, 1.0)).ok());
+    Show listed = show;
+    listed.cues.assign(kMostEntries, cue("x", 1.0));
+    EXPECT_TRUE(plan_book(listed, {}, BookKind::cues, {}).ok());
+    listed.cues.push_back(cue("x", 1.0));
+    EXPECT_EQ(plan_book(listed, {}, BookKind::cues, {}).error().text(),
+              "demo/show.toml: a book of 10001 entries, at most 10000 are possible");
+}
+
+TEST(Plan, a_recording_that_rests_too_often_has_no_cues) {
+    const Show show = demo();
+    std::vector<double> found_s(kMostRests, 1.0);
+    for (const BookKind kind : {BookKind::by_itself, BookKind::found}) {
+        const auto plan = plan_book(show, {}, kind, found_s);
+        ASSERT_TRUE(plan.ok()) << plan.error().text();
+        EXPECT_EQ(plan->entries.size(), kMostRests);
+    }
+    found_s.push_back(1);
+    for (const BookKind kind : {BookKind::by_itself, BookKind::found})
+        EXPECT_EQ(plan_book(show, {}, kind, found_s).error().text(),
+                  "demo.ghostdmx: comes to rest 1001 times, at most 1000 are taken as cues");
 }
 
 TEST(Rests, are_where_levels_stay) {
@@ -158,6 +178,12 @@ TEST(BookFile, of_another_kind_is_refused) {
     EXPECT_FALSE(book_from("{}", "x").ok());
     EXPECT_FALSE(book_from(R"({"ghostlight_book": 2})", "x").ok());
     EXPECT_FALSE(book_from(R"({"ghostlight_book": 1})", "x").ok());
+    Book large;
+    large.fixtures.resize(kMaxFixtures);
+    ASSERT_TRUE(book_from(text_of(large), "x").ok());
+    large.fixtures.emplace_back();
+    EXPECT_EQ(book_from(text_of(large), "x").error().text(),
+              "x: has 0 entries and 10001 fixtures, a cue book has at most 10000 and 10000");
     for (const char* const file :
          {"../secret.png", "pictures/../../a.png", "/etc/passwd", "pictures/.png", "a.png", ""}) {
         Book book = small_book();

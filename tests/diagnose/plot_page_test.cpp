@@ -129,5 +129,41 @@ TEST(PlotPage, what_is_only_odd_does_not_matter) {
         plot_page(plot.show, {{Severity::error, "missing_file", "a", "b", ""}}, plot.offers).matters());
 }
 
+TEST(PlotPage, a_group_has_two_hundred_lines_and_counts_the_others) {
+    const Plot plot;
+    for (const std::size_t count : {kMostPageLines, kMostPageLines + 1}) {
+        std::vector<Finding> findings;
+        for (std::size_t k = 0; k < count; ++k)
+            findings.push_back(
+                {Severity::error, "missing_media", "tour.mvr", "no mesh " + std::to_string(k), ""});
+        const PlotPage page = plot_page(plot.show, findings, plot.offers);
+        ASSERT_EQ(page.groups.size(), 1u);
+        EXPECT_EQ(page.groups[0].lines.size(), kMostPageLines);
+        EXPECT_EQ(page.groups[0].lines.back().words, "no mesh 199");
+        EXPECT_EQ(page.groups[0].times, static_cast<int>(count));
+    }
+}
+
+TEST(PlotPage, fifty_files_without_light_have_a_stand_in_and_all_are_listed) {
+    Plot plot;
+    plot.show.plot->plot.gdtf_files.clear();
+    plot.show.plot->plot.objects.clear();
+    plot.show.fixtures.clear();
+    for (int k = 0; k < 51; ++k) {
+        PlotObject object;
+        object.kind = ObjectKind::fixture;
+        object.uuid = "u" + std::to_string(k);
+        object.device.gdtf = k;
+        plot.show.plot->plot.objects.push_back(object);
+        plot.show.plot->plot.gdtf_files.push_back({"Lost " + std::to_string(k) + ".gdtf", "", 1});
+        PatchedFixture& fixture = plot.show.fixtures.emplace_back();
+        fixture.uuid = object.uuid;
+    }
+    const PlotPage page = plot_page(plot.show, {}, plot.offers);
+    ASSERT_EQ(page.lightless.size(), 51u);
+    EXPECT_FALSE(page.lightless[49].stand_ins.empty());
+    EXPECT_TRUE(page.lightless[50].stand_ins.empty());
+}
+
 } // namespace
 } // namespace ghost::scene

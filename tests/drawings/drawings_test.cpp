@@ -129,6 +129,47 @@ TEST(Outlines, with_too_many_lines_together_are_simple_from_there_on) {
     EXPECT_LT(lines.objects[21].ends_m.size(), 20u);
 }
 
+// Level, of that many squares, two triangles each; its lines are those of its rim.
+Mesh level_mesh(std::uint32_t columns, std::uint32_t rows) {
+    Mesh mesh;
+    for (std::uint32_t y = 0; y <= rows; ++y)
+        for (std::uint32_t x = 0; x <= columns; ++x)
+            mesh.positions.emplace_back(static_cast<float>(x), static_cast<float>(y), 0.0f);
+    for (std::uint32_t y = 0; y < rows; ++y)
+        for (std::uint32_t x = 0; x < columns; ++x) {
+            const std::uint32_t at = y * (columns + 1) + x, above = at + columns + 1;
+            mesh.indices.insert(mesh.indices.end(), {at, at + 1, above, at + 1, above + 1, above});
+        }
+    return mesh;
+}
+
+TEST(Outlines, of_a_mesh_with_too_many_triangles_are_the_outermost_one) {
+    constexpr std::size_t kMost = 200'000;
+    for (const bool is_one_more : {false, true}) {
+        Stage stage;
+        Mesh& mesh = stage.meshes.emplace_back(level_mesh(400, 250));
+        ASSERT_EQ(mesh.indices.size(), 3 * kMost);
+        if (is_one_more) mesh.indices.insert(mesh.indices.end(), {0, 1, 401});
+        stage.instances.push_back({"deck", 0, glm::mat4(1.0f)});
+        const Outlines lines = outlines_of(stage, from_above(), 0.001);
+        EXPECT_EQ(lines.simplified, is_one_more ? 1u : 0u);
+        ASSERT_EQ(lines.objects.size(), 1u);
+        EXPECT_EQ(lines.objects[0].ends_m.size(), 2 * (is_one_more ? 4u : 2 * (400u + 250u)));
+    }
+}
+
+TEST(Outlines, of_meshes_with_more_edges_than_are_kept_are_the_same) {
+    Stage stage;
+    for (int k = 0; k < 7; ++k) // 300,650 edges each: with the last one they are more than two million
+        stage.meshes.push_back(level_mesh(400, 250));
+    for (const int mesh : {0, 0, 1, 2, 3, 4, 5, 6, 0, 6})
+        stage.instances.push_back({"deck", mesh, glm::mat4(1.0f)});
+    const Outlines lines = outlines_of(stage, from_above(), 0.001);
+    EXPECT_EQ(lines.simplified, 0u);
+    ASSERT_EQ(lines.objects.size(), stage.instances.size());
+    for (const Outline& one : lines.objects) EXPECT_EQ(one.ends_m, lines.objects[0].ends_m);
+}
+
 TEST(Outlines, with_too_many_objects_leave_the_last_out_and_count_them) {
     Stage stage;
     add_cuboid(stage, "box", {0, 0, 1}, {1, 1, 1});

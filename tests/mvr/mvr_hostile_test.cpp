@@ -91,6 +91,22 @@ TEST(mvr_hostile, methods_bombs_and_large_descriptions) {
     EXPECT_FALSE(beside->archive.read("nothing.3ds").ok());
 }
 
+TEST(mvr_hostile, what_is_unpacked_over_a_session_has_an_end) {
+    EXPECT_EQ(MvrLoading{}.limits.total_bytes, kMaxMvrTotalBytes);
+    const std::string xml = small_xml(""), mesh(600, 'x');
+    MvrLoading loading;
+    loading.limits.total_bytes = xml.size() + 2 * mesh.size();
+    auto loaded = load_mvr(mvr_bytes(xml, {{"a.3ds", mesh}, {"b.3ds", mesh}}), "a.mvr", loading);
+    ASSERT_TRUE(loaded.ok()) << error_of(loaded);
+    EXPECT_TRUE(loaded->archive.read("a.3ds").ok());
+    EXPECT_TRUE(loaded->archive.read("b.3ds").ok()) << "as much as the limit is";
+    const auto again = loaded->archive.read("a.3ds");
+    ASSERT_FALSE(again.ok());
+    EXPECT_SAYS(again.error().text(), "a.mvr");
+    EXPECT_SAYS(again.error().text(),
+                "more than the " + std::to_string(loading.limits.total_bytes) + " bytes");
+}
+
 TEST(mvr_hostile, entities_are_not_expanded) {
     std::string xml = "<?xml version=\"1.0\"?><!DOCTYPE lolz [<!ENTITY lol \"lol\">";
     for (int i = 1; i < 10; ++i) {

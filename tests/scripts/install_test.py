@@ -1,15 +1,20 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
-"""The installed libraries are of use to others: a project outside of the tree finds them, prints the modes of a fixture and merges two sACN
-sources. Usage: install_test.py SOURCE_FOLDER BUILD_FOLDER."""
+"""The installed libraries are of use to others: a project outside of the tree finds them, reads a datagram, merges two sACN sources, prints the
+modes of a fixture and the fixtures of a plot, and what a lamp sends out. Usage: install_test.py SOURCE_FOLDER BUILD_FOLDER."""
 import pathlib
 import re
 import subprocess
 import sys
 import tempfile
+import zipfile
 
 SOURCE, BUILD = pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2])
 SPOT = SOURCE / "assets/fixtures/Vari-Lite@VL2500_Spot.gdtf"
+LAMP = SOURCE / "assets/fixtures/Ghostlight@Dimmer_Lamp.gdtf"
+PLOT = """<GeneralSceneDescription verMajor="1" verMinor="6"><Scene><Layers><Layer name="L" uuid="1"><ChildList>
+<Fixture uuid="2" name="Spot 1"><GDTFSpec>Spot.gdtf</GDTFSpec><Addresses><Address break="0">515</Address></Addresses></Fixture>
+</ChildList></Layer></Layers></Scene></GeneralSceneDescription>"""
 
 
 def run(*words):
@@ -37,3 +42,13 @@ with tempfile.TemporaryDirectory(prefix="ghost-install-") as folder:
     merged = run(work / "build/merge")
     assert merged.split() == ["255", "200", "30"], merged
     print("merged:", merged, end="")
+    (work / "datagram").write_bytes(b"Art-Net\0\0\x50\0\x0e\1\0\6\0\0\4\xff\x80\0\7")  # ArtDmx of Port-Address 6, four slots
+    wire = run(work / "build/wire", work / "datagram")
+    assert wire == "Art-Net, universe 7: 255 128 0 7\n", wire
+    with zipfile.ZipFile(work / "tour.mvr", "w") as archive:
+        archive.writestr("GeneralSceneDescription.xml", PLOT)
+    plot = run(work / "build/plot", work / "tour.mvr")
+    assert plot == "Spot 1, Spot.gdtf: 2.3\n", plot
+    light = dict(re.findall(r"^(0|255): (\d+) cd$", run(work / "build/light", LAMP), re.M))
+    assert light["0"] == "0" and int(light["255"]) > 1000, light
+    print(wire, plot, f"a dimmer lamp at full: {light['255']} cd", sep="")

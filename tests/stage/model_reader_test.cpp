@@ -57,6 +57,36 @@ TEST(ModelReader, MayOpenReachAndStartNothing) {
 }
 #endif
 
+TEST(ModelReader, AModelAsksForSoManyOtherFilesAndNoMore) {
+    constexpr int kMost = 4096;
+    for (const int count : {kMost, kMost + 1}) {
+        std::string text;
+        for (int k = 0; k < count; ++k) text += "mtllib m" + std::to_string(k) + ".mtl\n";
+        text += "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+        const std::string paint = "newmtl paint\nKd 1 1 1\n";
+        int asked = 0;
+        Report report;
+        const auto model = load_model(Bytes(reinterpret_cast<const std::uint8_t*>(text.data()), text.size()),
+                                      "obj", "many.obj", ModelSource::folder, report,
+                                      [&](const std::string&) -> Result<std::vector<std::uint8_t>> {
+                                          ++asked;
+                                          return std::vector<std::uint8_t>(paint.begin(), paint.end());
+                                      });
+        EXPECT_EQ(asked, count);
+        if (count == kMost) {
+            ASSERT_TRUE(model.ok()) << model.error().text();
+            EXPECT_EQ(model->drawn_triangles(), 1u);
+        } else {
+            ASSERT_FALSE(model.ok());
+            EXPECT_NE(
+                model.error().text().find("many.obj: the process that read it asked for more than 4096"),
+                std::string::npos)
+                << model.error().text();
+        }
+    }
+    expect_readable();
+}
+
 TEST(ModelReader, AnAnswerIsTheSameAsReadHere) {
     const std::vector<std::uint8_t> bytes = *read_file("assets/demo/stage.glb", 512u << 20);
     Report here_report, there_report;

@@ -143,6 +143,52 @@ TEST(StageFile, PictureOfTwoTexturesIsStoredOnceAndAMissingOneIsNamed) {
     EXPECT_NE(report.messages[0].what.find("no such file"), std::string::npos);
 }
 
+TEST(StageFile, AModelHasSoManyTexturesAndNoMore) {
+    constexpr std::size_t kMost = 1024;
+    const fs::path png = scratch_folder("many") / "grey.png";
+    ASSERT_TRUE(image::write_png(png, image::Image8(2, 2, 4)).ok());
+    // Materials that nothing has are not read.
+    const std::vector<std::uint8_t> one = TinyGlb{}.bytes();
+    const std::size_t json_bytes = std::size_t{one[12]} | std::size_t{one[13]} << 8;
+    const std::string json(one.begin() + 20, one.begin() + static_cast<std::ptrdiff_t>(20 + json_bytes));
+    const std::string face =
+        R"({"attributes":{"POSITION":0,"NORMAL":1,"TEXCOORD_0":2},"indices":3,"material":)";
+    const std::size_t begin = json.find(face + "0}");
+    ASSERT_NE(begin, std::string::npos) << json;
+    for (const std::size_t count : {kMost, kMost + 1}) {
+        std::string images, textures, materials, faces;
+        for (std::size_t k = 0; k < count; ++k) {
+            const std::string comma = k == 0 ? "" : ",", number = std::to_string(k);
+            images += comma + R"({"uri":"t)" + number + R"(.png"})";
+            textures += comma + R"({"source":)" + number + "}";
+            materials += comma + R"({"name":"m)" + number +
+                         R"(","pbrMetallicRoughness":{"baseColorTexture":{"index":)" + number + "}}}";
+            faces += comma + face + number + "}";
+        }
+        std::string text = json;
+        text.replace(begin, face.size() + 2, faces);
+        const std::string old_materials = R"("materials":[{"name":"paint"}],)";
+        ASSERT_NE(text.find(old_materials), std::string::npos);
+        text.replace(text.find(old_materials), old_materials.size(),
+                     R"("images":[)" + images + R"(],"textures":[)" + textures + R"(],"materials":[)" +
+                         materials + "],");
+        const std::size_t binary_at = 20 + json_bytes + 8;
+        const std::vector<std::uint8_t> glb =
+            glb_of(text, {one.begin() + static_cast<std::ptrdiff_t>(binary_at), one.end()});
+        Report report;
+        const auto stage = load_model(glb, "glb", "many.glb", ModelSource::folder, report,
+                                      [&](const std::string&) { return read_file(png, 1000); });
+        ASSERT_TRUE(stage.ok()) << stage.error().text();
+        EXPECT_EQ(stage->textures.size(), kMost);
+        if (count == kMost) {
+            EXPECT_TRUE(report.messages.empty()) << all_text(report);
+        } else {
+            EXPECT_EQ(all_text(report),
+                      "many.glb: texture 't1024.png' is missing: more than 1024 textures\n");
+        }
+    }
+}
+
 TEST(StageFile, EveryTruncationIsAnError) {
     const auto bytes = TinyGlb{}.bytes();
     for (std::size_t length = 0; length < bytes.size(); ++length) {

@@ -198,5 +198,59 @@ TEST_F(MovieTest, CameraPictures) {
     }
 }
 
+// One white picture of that size, one bit a pixel.
+void make_large(const std::filesystem::path& path, int width, int height) {
+    AVFormatContext* file = nullptr;
+    ASSERT_GE(avformat_alloc_output_context2(&file, nullptr, "matroska", path.c_str()), 0);
+    AVStream* const stream = avformat_new_stream(file, nullptr);
+    const AVCodec* const encoder = avcodec_find_encoder(AV_CODEC_ID_PNG);
+    ASSERT_TRUE(encoder);
+    AVCodecContext* codec = avcodec_alloc_context3(encoder);
+    codec->width = width;
+    codec->height = height;
+    codec->time_base = {1, 25};
+    codec->pix_fmt = AV_PIX_FMT_MONOBLACK;
+    ASSERT_GE(avcodec_open2(codec, encoder, nullptr), 0);
+    avcodec_parameters_from_context(stream->codecpar, codec);
+    stream->time_base = codec->time_base;
+    ASSERT_GE(avio_open(&file->pb, path.c_str(), AVIO_FLAG_WRITE), 0);
+    ASSERT_GE(avformat_write_header(file, nullptr), 0);
+    AVFrame* frame = av_frame_alloc();
+    AVPacket* packet = av_packet_alloc();
+    frame->format = codec->pix_fmt;
+    frame->width = width;
+    frame->height = height;
+    ASSERT_GE(av_frame_get_buffer(frame, 0), 0);
+    std::fill_n(frame->data[0], frame->linesize[0] * height, std::uint8_t{255});
+    frame->pts = 0;
+    for (const AVFrame* next : {static_cast<const AVFrame*>(frame), static_cast<const AVFrame*>(nullptr)}) {
+        avcodec_send_frame(codec, next);
+        while (avcodec_receive_packet(codec, packet) == 0) {
+            packet->duration = 1;
+            av_packet_rescale_ts(packet, codec->time_base, stream->time_base);
+            av_interleaved_write_frame(file, packet);
+        }
+    }
+    av_write_trailer(file);
+    avio_closep(&file->pb);
+    av_packet_free(&packet);
+    av_frame_free(&frame);
+    avcodec_free_context(&codec);
+    avformat_free_context(file);
+}
+
+TEST_F(MovieTest, APictureHasSoManyPixelsAndNoMore) {
+    make_large(folder / "most.mkv", 8192, kMostMoviePixels / 8192);
+    const auto movie = must(Movie::open(folder / "most.mkv"));
+    ASSERT_TRUE(must(movie->next()));
+    EXPECT_GT(*must(movie->picture(Movie::Which::newest, 8, 8)).at(4, 4), 250);
+    make_large(folder / "more.mkv", 8193, kMostMoviePixels / 8192);
+    const auto more = Movie::open(folder / "more.mkv");
+    ASSERT_FALSE(more.ok());
+    EXPECT_TRUE(
+        more.error().text().ends_with("more.mkv: has pictures of 8193x8192, expected 1 to 67 million pixels"))
+        << more.error().text();
+}
+
 } // namespace
 } // namespace ghost::video

@@ -150,5 +150,72 @@ TEST_F(Sounds, same_pictures_and_sound_same_bytes) {
     EXPECT_GT(one.size(), 2000u);
 }
 
+TEST_F(Sounds, are_a_day_long_at_most) {
+    constexpr std::uint32_t kRate = 4000, kDay = static_cast<std::uint32_t>(kLongestSound_s) * kRate;
+    const auto day_and = [&](std::uint32_t more) {
+        const std::uint32_t size = kDay + more;
+        const auto path = write_bytes(folder / "day.wav",
+                                      "RIFF" + little(36 + size, 4) + "WAVEfmt " + little(16, 4) +
+                                          little(1, 2) + little(1, 2) + little(kRate, 4) + little(kRate, 4) +
+                                          little(1, 2) + little(8, 2) + "data" + little(size, 4));
+        std::filesystem::resize_file(path, 44 + size); // nothing of it is on the disk
+        return SoundFile::open(path);
+    };
+    EXPECT_TRUE(day_and(0).ok());
+    const auto longer = day_and(kRate);
+    ASSERT_FALSE(longer.ok());
+    EXPECT_TRUE(longer.error().text().ends_with("day.wav: is longer than a day")) << longer.error().text();
+}
+
+// One packet, which in this format is 256 / 245 seconds.
+void make_tta(const std::filesystem::path& path, int rate_hz) {
+    AVFormatContext* file = nullptr;
+    ASSERT_GE(avformat_alloc_output_context2(&file, nullptr, "tta", path.c_str()), 0);
+    AVStream* const stream = avformat_new_stream(file, nullptr);
+    const AVCodec* const encoder = avcodec_find_encoder(AV_CODEC_ID_TTA);
+    ASSERT_TRUE(encoder);
+    AVCodecContext* codec = avcodec_alloc_context3(encoder);
+    codec->sample_rate = rate_hz;
+    codec->sample_fmt = AV_SAMPLE_FMT_S16;
+    av_channel_layout_default(&codec->ch_layout, 1);
+    codec->time_base = {1, rate_hz};
+    ASSERT_GE(avcodec_open2(codec, encoder, nullptr), 0);
+    avcodec_parameters_from_context(stream->codecpar, codec);
+    stream->time_base = codec->time_base;
+    ASSERT_GE(avio_open(&file->pb, path.c_str(), AVIO_FLAG_WRITE), 0);
+    ASSERT_GE(avformat_write_header(file, nullptr), 0);
+    AVFrame* frame = av_frame_alloc();
+    AVPacket* packet = av_packet_alloc();
+    frame->format = codec->sample_fmt;
+    frame->nb_samples = codec->frame_size;
+    frame->sample_rate = rate_hz;
+    av_channel_layout_copy(&frame->ch_layout, &codec->ch_layout);
+    ASSERT_GE(av_frame_get_buffer(frame, 0), 0);
+    std::fill_n(frame->data[0], 2 * frame->nb_samples, std::uint8_t{0});
+    frame->pts = 0;
+    for (const AVFrame* next : {static_cast<const AVFrame*>(frame), static_cast<const AVFrame*>(nullptr)}) {
+        avcodec_send_frame(codec, next);
+        while (avcodec_receive_packet(codec, packet) == 0) av_interleaved_write_frame(file, packet);
+    }
+    av_write_trailer(file);
+    avio_closep(&file->pb);
+    av_packet_free(&packet);
+    av_frame_free(&frame);
+    avcodec_free_context(&codec);
+    avformat_free_context(file);
+}
+
+TEST_F(Sounds, a_packet_has_so_many_samples_and_no_more) {
+    make_tta(folder / "most.tta", 250'880); // 262,144 samples
+    const auto most = SoundFile::open(folder / "most.tta");
+    ASSERT_TRUE(most.ok()) << most.error().text();
+    EXPECT_NEAR(static_cast<double>(all_of(**most).size() / 2), 48'000.0 * 256 / 245, 50);
+    make_tta(folder / "more.tta", 250'881);
+    const auto more = SoundFile::open(folder / "more.tta");
+    ASSERT_FALSE(more.ok());
+    EXPECT_TRUE(more.error().text().ends_with("more.tta: nothing of its sound can be decoded"))
+        << more.error().text();
+}
+
 } // namespace
 } // namespace ghost::video

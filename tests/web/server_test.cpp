@@ -275,5 +275,27 @@ TEST_F(WebServer, ends_with_viewers_in_it) {
     EXPECT_TRUE(peer.is_closed());
 }
 
+TEST(WebSilence, who_says_nothing_is_gone_after_a_time) {
+    ui::Link link;
+    ServerOptions options;
+    EXPECT_EQ(options.silence_s, 120);
+    options.silence_s = 1.5;
+    auto opened = Server::open(link, options);
+    ASSERT_TRUE(opened.ok());
+    const std::unique_ptr<Server> server = std::move(*opened);
+    Peer silent(server->port()), alive(server->port());
+    for (Peer* peer : {&silent, &alive}) ASSERT_EQ(peer->look_on(server->keys().token), 101);
+    const auto begin = Clock::now();
+    while (Clock::now() < begin + 3s) {
+        alive.say(Opcode::pong, {});
+        std::this_thread::sleep_for(100ms);
+        if (Clock::now() < begin + 1s) {
+            EXPECT_FALSE(silent.is_closed(1ms));
+        }
+    }
+    EXPECT_EQ(silent.close_code(), kCloseGoingAway);
+    EXPECT_FALSE(alive.is_closed(1ms));
+}
+
 } // namespace
 } // namespace ghost::web

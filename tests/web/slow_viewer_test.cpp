@@ -145,5 +145,21 @@ TEST_F(WebServer, a_slow_viewer_is_never_far_behind_and_a_quick_one_does_not_not
               << 1e3 * alone_s << " ms without the others\n";
 }
 
+TEST_F(WebServer, who_has_too_much_on_the_way_is_sent_away) {
+    open_show(1);
+    Peer peer(server->port());
+    ASSERT_EQ(peer.look_on(server->keys().token), 101);
+    ASSERT_FALSE(peer.hear("show").is_null());
+    const auto put = [&](std::size_t bytes) {
+        link.messages.put({Message{Severity::note, "a", std::string(bytes, 'x')}});
+        server->news();
+        std::this_thread::sleep_for(300ms); // in which nothing is read
+    };
+    put(3u << 20);
+    EXPECT_FALSE(peer.hear("messages").is_null()) << "below the limit it comes, however late";
+    put(20u << 20); // what the system does not hold is more than 4 MiB
+    EXPECT_EQ(peer.close_code(), kCloseTryLater);
+}
+
 } // namespace
 } // namespace ghost::web

@@ -490,6 +490,35 @@ TEST(XchangeStations, plots_without_a_number_are_counted) {
     EXPECT_NE(said->text.find("more plots at once than are taken"), std::string::npos) << said->text;
 }
 
+TEST(XchangeStations, the_plots_of_a_session_have_so_many_bytes_and_no_more) {
+    const Folder folder;
+    const std::string content = write_plot(folder.path / "tour.mvr", 50'000);
+    XchangeOptions sharing = station("A");
+    sharing.share = {folder.path / "tour.mvr"};
+    const auto a = start(sharing);
+    XchangeOptions saving = station("B");
+    EXPECT_EQ(saving.most_bytes, 16ull << 30);
+    saving.save = folder.path / "come";
+    saving.peers = {at(a->port())};
+    saving.most_bytes = content.size();
+    {
+        const auto b = start(saving);
+        const auto received = wait_for(*b, Kind::received);
+        ASSERT_TRUE(received.has_value());
+        EXPECT_EQ(content_of(received->file), content);
+    }
+    saving.most_bytes = content.size() - 1;
+    const auto b = start(saving);
+    const auto said = wait_for(*b, Kind::trouble);
+    ASSERT_TRUE(said.has_value());
+    EXPECT_NE(said->text.find("more than " + std::to_string(content.size() - 1) + " bytes"),
+              std::string::npos)
+        << said->text;
+    std::size_t files = 0;
+    for (const auto& entry : fs::directory_iterator(folder.path / "come")) files += entry.is_regular_file();
+    EXPECT_EQ(files, 1u) << "nothing of it is left";
+}
+
 // Four stations that bring a byte now and then do not hold the places of others for half an hour.
 TEST(XchangeStations, slow_stations_give_their_places_to_those_that_wait) {
     const Folder folder;

@@ -26,8 +26,6 @@ namespace fs = std::filesystem;
 
 using scene::FixtureValues;
 
-constexpr std::size_t kMostFound = 1000; // of a recording: more are no cues
-
 Error interruption() {
     return Error{"interrupted: nothing is written", ""};
 }
@@ -140,12 +138,7 @@ Result<std::vector<double>> BookDrawing::find_rests() {
         progress.update(*at_s / std::max(end_s, 1e-3), steady_now_s(), clock_text(*at_s));
     }
     progress.finish();
-    std::vector<double> found_s = finder.finish(end_s);
-    if (found_s.size() > kMostFound)
-        return Error{"comes to rest " + std::to_string(found_s.size()) + " times, at most " +
-                         std::to_string(kMostFound) + " are taken as cues",
-                     session_->show->recording.string()};
-    return found_s;
+    return finder.finish(end_s);
 }
 
 std::vector<scene::Camera> BookDrawing::cameras_of(const scene::PlannedEntry& planned,

@@ -22,14 +22,11 @@ namespace {
 
 using glm::vec3;
 
-constexpr int kGap_px = 4;
 constexpr int kTitle_px = 11;
 constexpr int kColumns = 8;
 constexpr std::size_t kMostTrials = 2 * kColumns;
-constexpr std::int64_t kMostPixels = std::int64_t{1} << 28; // of the sheet: a gigabyte
 constexpr float kDarker_ev = 2.5f;
 constexpr float kDarkerFace_ev = 1.0f;
-constexpr std::uint8_t kGround = 24;
 constexpr std::uint8_t kAlike = 6; // of 255: nobody sees it
 constexpr vec3 kLens_m{0.0f, 0.0f, 3.0f};
 constexpr double kArrived_s = 5; // so late nothing moves any more
@@ -120,7 +117,7 @@ void put(const image::Image8& picture, int x, int y, image::Image8& sheet) {
 
 image::Image8 ground(std::int64_t width, std::int64_t height) {
     image::Image8 picture(static_cast<int>(width), static_cast<int>(height), 4);
-    std::fill(picture.samples.begin(), picture.samples.end(), kGround);
+    std::fill(picture.samples.begin(), picture.samples.end(), kSheetGround);
     for (std::size_t i = 3; i < picture.samples.size(); i += 4) picture.samples[i] = 255;
     return picture;
 }
@@ -161,16 +158,17 @@ Result<void> draw_channel_sheet(const ChannelSheetOptions& options) {
     show.cameras = cameras(options, hang(patch, sweep.rest, hung));
     show.fixtures.push_back(hung);
 
-    const std::int64_t width = kGap_px + std::int64_t{kColumns} * (options.width + kGap_px);
-    std::int64_t height = kGap_px;
+    const std::int64_t width = kSheetGap_px + std::int64_t{kColumns} * (options.width + kSheetGap_px);
+    std::int64_t height = kSheetGap_px;
     int count = 0;
     for (const fixture::ChannelSweep& channel : sweep.channels) {
-        height += kTitle_px + kGap_px + std::int64_t{lines_of(channel)} * (options.height + kGap_px);
+        height +=
+            kTitle_px + kSheetGap_px + std::int64_t{lines_of(channel)} * (options.height + kSheetGap_px);
         count += static_cast<int>(channel.trials.size());
     }
-    if (width * height > kMostPixels)
+    if (width * height > kMostSheetPixels)
         return Error{std::to_string(sweep.channels.size()) + " channels are " + std::to_string(width) + "x" +
-                         std::to_string(height) + " pixels, at most " + std::to_string(kMostPixels) +
+                         std::to_string(height) + " pixels, at most " + std::to_string(kMostSheetPixels) +
                          " are possible",
                      "--size"};
 
@@ -205,7 +203,7 @@ Result<void> draw_channel_sheet(const ChannelSheetOptions& options) {
     const image::Image8 at_rest = draw(sweep.rest);
 
     image::Image8 sheet = ground(width, height);
-    int top = kGap_px, drawn = 0;
+    int top = kSheetGap_px, drawn = 0;
     for (const fixture::ChannelSweep& channel : sweep.channels) {
         bool changes = channel.trials.empty();
         int place = 0;
@@ -218,16 +216,16 @@ Result<void> draw_channel_sheet(const ChannelSheetOptions& options) {
             changes = changes || !are_alike(picture, first) ||
                       (channel.trials.size() == 1 && !are_alike(picture, at_rest));
             draw_caption(picture, trial.caption);
-            put(picture, kGap_px + place % kColumns * (options.width + kGap_px),
-                top + kTitle_px + kGap_px + place / kColumns * (options.height + kGap_px), sheet);
+            put(picture, kSheetGap_px + place % kColumns * (options.width + kSheetGap_px),
+                top + kTitle_px + kSheetGap_px + place / kColumns * (options.height + kSheetGap_px), sheet);
             ++place;
             progress.update(static_cast<double>(++drawn) / count, now_s(), channel.title);
         }
-        image::Image8 title = ground(width - 2 * kGap_px, kTitle_px);
+        image::Image8 title = ground(width - 2 * kSheetGap_px, kTitle_px);
         draw_caption(title, channel.title + (changes ? "" : " - changes nothing here"));
-        put(title, kGap_px, top, sheet);
+        put(title, kSheetGap_px, top, sheet);
         if (!changes) log_warning("channel " + channel.title + " changes nothing in these pictures");
-        top += kTitle_px + kGap_px + lines_of(channel) * (options.height + kGap_px);
+        top += kTitle_px + kSheetGap_px + lines_of(channel) * (options.height + kSheetGap_px);
     }
     progress.finish();
     TRY_VOID(image::write_png(options.out, sheet));

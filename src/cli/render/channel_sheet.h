@@ -6,9 +6,15 @@
 #include "base/result.h"
 #include "image/tone.h"
 
+#include <cstdint>
 #include <string>
 
 namespace ghost::app {
+
+// Of every contact sheet.
+inline constexpr int kSheetGap_px = 4;
+inline constexpr std::uint8_t kSheetGround = 24;                        // grey
+inline constexpr std::int64_t kMostSheetPixels = std::int64_t{1} << 28; // a gigabyte
 
 struct ChannelSheetOptions {
     std::string file; // GDTF, QXF, OFL

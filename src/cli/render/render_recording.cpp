@@ -4,6 +4,7 @@
 #include "cli/render/render_film.h"
 #include "dmx/record/recording_tasks.h"
 #include "live/engine/pace.h"
+#include "live/session/picture_room.h"
 #include "show/camera_moves.h"
 
 #include "base/log.h"
@@ -28,7 +29,6 @@ long begin_at(long first, double fps, bool has_movers) {
 }
 
 scene::Camera coarser(scene::Camera camera, double share) {
-    constexpr int kLeastPixels = 16;
     const auto pixels = [&](int side) {
         return std::min(std::max(static_cast<int>(std::lround(share * side)), kLeastPixels), side);
     };

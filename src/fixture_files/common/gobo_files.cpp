@@ -13,8 +13,6 @@ namespace ghost::fixture {
 namespace {
 
 constexpr std::uintmax_t kMaxFileBytes = 16u << 20;
-constexpr int kMaxSide_px = 4096;
-constexpr std::size_t kMaxPixels = std::size_t{96} << 20; // all pictures of a fixture
 constexpr std::size_t kMaxName = 512;
 
 bool is_plain(const std::filesystem::path& path) {
@@ -26,7 +24,7 @@ bool is_plain(const std::filesystem::path& path) {
 
 Result<GoboDrawing> read_picture(Bytes bytes, const std::string& name, std::size_t pixels_left) {
     GoboDrawing gobo;
-    TRY(gobo.picture, image::decode_ldr(bytes, name, {kMaxSide_px, pixels_left}, &gobo.problem));
+    TRY(gobo.picture, image::decode_ldr(bytes, name, {kMaxPicture_px, pixels_left}, &gobo.problem));
     return gobo;
 }
 
@@ -35,10 +33,10 @@ Result<GoboDrawing> read_picture(Bytes bytes, const std::string& name, std::size
 GoboFiles::Found GoboFiles::decode(Type& type, const std::string& name, std::vector<std::uint8_t> bytes) {
     const bool is_drawing = lower(std::filesystem::path(name).extension().string()) == ".svg";
     Result<GoboDrawing> decoded =
-        is_drawing ? draw_gobo(bytes, name) : read_picture(bytes, name, kMaxPixels - pixels_);
+        is_drawing ? draw_gobo(bytes, name) : read_picture(bytes, name, kMaxPicturePixels - pixels_);
     if (!decoded) return {-1, decoded.error().text()};
     image::Image8& pixels = decoded->picture;
-    if (pixels.samples.size() / 4 > kMaxPixels - pixels_)
+    if (pixels.samples.size() / 4 > kMaxPicturePixels - pixels_)
         return {-1, "gobo pictures have more than 96 million pixels in all"};
     pixels_ += pixels.samples.size() / 4;
     Media media;

@@ -2,6 +2,7 @@
 #include "fixture_files/common/named_ranges.h"
 
 #include "base/text.h"
+#include "fixture/slot_meanings.h"
 #include "fixture/values.h"
 
 #include <algorithm>
@@ -15,7 +16,6 @@
 namespace ghost::fixture {
 namespace {
 
-constexpr float kNoKelvin = 2.0f; // a correction that goes so far is a share or nothing
 constexpr int kLeast_k = 1000;
 constexpr int kMost_k = 20000;
 

@@ -4,6 +4,7 @@
 
 #include "base/text.h"
 #include "fixture/values.h"
+#include "fixture_files/common/gobo_files.h"
 #include "fixture_files/common/mesh_check.h"
 #include "image/ldr.h"
 
@@ -16,8 +17,6 @@ constexpr std::size_t kMaxSlots = 4096; // per wheel; the library's largest real
 constexpr std::size_t kMaxWheels = 256;
 constexpr std::size_t kMaxFacets = 256;
 constexpr std::size_t kMaxModels = 4096;
-constexpr std::uint32_t kMaxSide_px = 4096;
-constexpr std::size_t kMaxPixels = std::size_t{96} << 20; // all pictures of a file: 384 MB
 
 // The size that a PNG claims, before anything is decoded; 0 where it is no PNG.
 glm::uvec2 png_size(Bytes png) {
@@ -56,12 +55,12 @@ int read_media(GdtfReader& reader, pugi::xml_node slot, const std::string& file)
     }
     const std::string where = reader.name + ": " + entry;
     const glm::uvec2 size = png_size(*png);
-    if (size.x == 0 || size.y == 0 || size.x > kMaxSide_px || size.y > kMaxSide_px) {
+    if (size.x == 0 || size.y == 0 || size.x > kMaxPicture_px || size.y > kMaxPicture_px) {
         reader.say_at(Severity::error, where, "expected a PNG of at most 4096 x 4096 pixels");
         return -1;
     }
     reader.pixels_decoded += std::size_t{size.x} * size.y;
-    if (reader.pixels_decoded > kMaxPixels) {
+    if (reader.pixels_decoded > kMaxPicturePixels) {
         reader.say_at(Severity::error, where, "the file's pictures have more than 96 million pixels in all");
         return -1;
     }

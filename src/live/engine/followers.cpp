@@ -2,6 +2,7 @@
 #include "live/engine/followers.h"
 
 #include "base/log.h"
+#include "live/session/live_view.h"
 
 #include <algorithm>
 #include <utility>
@@ -10,7 +11,6 @@ namespace ghost::app {
 
 namespace {
 
-constexpr float kStill_m = 0.002f; // the G-buffer is drawn again for more
 constexpr float kTooNear_m = 0.1f; // to look at
 
 } // namespace

@@ -12,7 +12,6 @@
 namespace ghost::app {
 namespace {
 
-constexpr int kLeastPixels = 16; // across
 constexpr int kMostPixels = 8192;
 constexpr float kWork_lux = 100;
 constexpr float kWorkAtEv0_lux = 5; // stages are dark: makes what reflects a twelfth middle grey

@@ -21,7 +21,6 @@ namespace ghost::app {
 
 namespace {
 
-constexpr float kStill_m = 0.002f;     // in the picture
 constexpr float kShadowStep_m = 0.01f; // maps are made again for more
 
 bool any_matches(const std::vector<std::string>& patterns, const std::string& name) {
@@ -144,10 +143,10 @@ void LiveView::begin_changed_maps() {
 }
 
 void LiveView::hang_lamps(const scene::Rig& rig) {
-    for (const Hung& hung : hung_)
-        for (std::size_t p = 0; p < hung.places_m.size(); ++p)
-            moving_maps_->hang(hung.first_map + p,
-                               glm::vec3(rig.moved(hung.fixture) * glm::vec4(hung.places_m[p], 1.0f)));
+    for (const CarriedFixture& carried : carried_fixtures_)
+        for (std::size_t p = 0; p < carried.places_m.size(); ++p)
+            moving_maps_->hang(carried.first_map + p,
+                               glm::vec3(rig.moved(carried.fixture) * glm::vec4(carried.places_m[p], 1.0f)));
 }
 
 bool LiveView::update_maps(const std::vector<shared::Light>& lights) {

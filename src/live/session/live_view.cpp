@@ -170,8 +170,9 @@ void LiveView::begin_moving_maps(Report& report) {
         while (fixture < show_.fixtures.size() && show_.fixtures[fixture].name != place.fixture) ++fixture;
         CHECK(fixture < show_.fixtures.size());
         if (show_.fixtures[fixture].mover == scene::kNoMover) continue;
-        if (hung_.empty() || hung_.back().fixture != fixture) hung_.push_back({fixture, k, {}});
-        hung_.back().places_m.push_back(place.position_m);
+        if (carried_fixtures_.empty() || carried_fixtures_.back().fixture != fixture)
+            carried_fixtures_.push_back({fixture, k, {}});
+        carried_fixtures_.back().places_m.push_back(place.position_m);
     }
     distances_ = std::make_unique<render::DistanceImages>(device_, maps_);
     leave_out(maps_, distances_->count(), report);

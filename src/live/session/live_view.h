@@ -27,6 +27,8 @@
 
 namespace ghost::app {
 
+inline constexpr float kStill_m = 0.002f; // what moved less is where it was: the G-buffer is not drawn again
+
 struct LiveOptions {
     bool shadows = true;
     bool maps_in_background = false; // start at once; a light throws no shadows until its map is made
@@ -148,12 +150,12 @@ private:
     std::size_t missing_maps_ = 0;
     std::unique_ptr<render::DistanceImages> distances_;
     std::unique_ptr<bake::MovingMaps> moving_maps_; // or null: the show has no movers
-    struct Hung {                                   // a fixture that a mover carries
+    struct CarriedFixture {
         std::size_t fixture = 0;
         std::size_t first_map = 0;
         std::vector<glm::vec3> places_m; // of its maps, where the show has them
     };
-    std::vector<Hung> hung_;
+    std::vector<CarriedFixture> carried_fixtures_; // by movers
     // Tracked and carried objects and those that hands hid or showed: what the maker makes the maps of. These
     // go to a folder of their own, so that those of the show as it is stay.
     std::map<std::size_t, glm::mat4> moved_, mapped_;          // instance: how; with which maps were begun

@@ -5,11 +5,7 @@
 #include <cmath>
 
 namespace ghost::app {
-namespace {
-
-constexpr int kLeastPixels = 16; // across
-
-} // namespace
+namespace {} // namespace
 
 scene::Camera fitted(const scene::Camera& wanted, std::uint64_t room_bytes) {
     const double pixels = static_cast<double>(wanted.width) * static_cast<double>(wanted.height);

@@ -14,8 +14,10 @@ namespace ghost::app {
 // room.
 constexpr std::uint64_t kPictureBytesPerPixel = 560;
 
-// The camera with fewer pixels, of the same shape, where room_bytes do not hold what it asks for; 16 across
-// are the least.
+constexpr int kLeastPixels = 16; // across: of no picture are fewer drawn
+
+// The camera with fewer pixels, of the same shape, where room_bytes do not hold what it asks for;
+// kLeastPixels across are the least.
 scene::Camera fitted(const scene::Camera& wanted, std::uint64_t room_bytes);
 
 } // namespace ghost::app

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/model/drafts.h"
 
+#include "base/log.h"
 #include "disk/crc32.h"
 #include "disk/files.h"
 #include "disk/own_folder.h"
@@ -90,7 +91,10 @@ std::optional<Drafts::Found> Drafts::find(const std::string& saved) const {
         std::error_code code;
         if ((file == beside_ && !is_ours_beside) || !std::filesystem::is_regular_file(file, code)) continue;
         const auto draft = read_text_file(file, scene::kMaxShowBytes);
-        if (!draft.ok()) continue;
+        if (!draft.ok()) {
+            log_warning(draft.error().text() + ": the draft is not offered");
+            continue;
+        }
         const std::size_t head = draft->find('\n');
         const bool is_ours = draft->starts_with(kHead) && head != std::string::npos;
         if (!is_ours || draft->substr(head + 1) == saved) {

@@ -26,9 +26,8 @@ namespace ghost::web {
 
 class ServerLoop {
 public:
-    // book: folder of a cue book, or empty.
     ServerLoop(ui::Link& link, dmx::TcpListener& listener, dmx::StreamWake& wake, Gate& gate,
-               const std::string& book, double bytes_per_s);
+               const ServerOptions& options);
 
     // Waits until there is something to do, a moment at most, and does it.
     void round();
@@ -83,6 +82,7 @@ private:
     dmx::StreamWake& wake_;
     Gate& gate_;
     BookShelf book_;
+    const double silence_s_;
     Ration ration_;
     std::list<Guest> guests_;
     std::size_t viewers_ = 0;

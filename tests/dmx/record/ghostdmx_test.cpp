@@ -278,5 +278,39 @@ TEST(Unpacker, stops_at_its_limit_and_at_garbage) {
     EXPECT_FALSE(Unpacker().unpack(zeros, 1 << 20, out));
 }
 
+TEST(Ghostdmx, a_piece_is_as_long_as_its_limit_and_no_longer) {
+    using namespace ghostdmx;
+    const auto head_of = [](PieceKind kind, std::uint32_t content_bytes) {
+        PieceHeader header;
+        header.kind = kind;
+        auto bytes = encode(header, {}, 0);
+        for (std::size_t i = 0; i < 4; ++i) // behind mark, checksum and kind
+            bytes[12 + i] = static_cast<std::uint8_t>(content_bytes >> (8 * i));
+        return decode_piece(bytes);
+    };
+    for (const PieceKind kind : {PieceKind::begins_block, PieceKind::goes_on}) {
+        const auto longest = head_of(kind, kMaxPieceBytes);
+        ASSERT_TRUE(longest);
+        EXPECT_EQ(longest->content_bytes, kMaxPieceBytes);
+        EXPECT_FALSE(head_of(kind, kMaxPieceBytes + 1));
+    }
+    EXPECT_TRUE(head_of(PieceKind::index, kMaxIndexBytes));
+    EXPECT_FALSE(head_of(PieceKind::index, kMaxIndexBytes + 1));
+}
+
+TEST(Ghostdmx, an_index_has_four_million_blocks_and_no_more) {
+    ghostdmx::Index index;
+    index.duration = 1s;
+    for (std::size_t i = 0; i < ghostdmx::kMaxBlocks; ++i) index.blocks.push_back({i + 1, 0us, 0});
+    auto bytes = ghostdmx::encode(index);
+    EXPECT_LE(bytes.size(), ghostdmx::kMaxIndexBytes) << "what is written can be read";
+    const auto back = ghostdmx::decode_index(bytes);
+    ASSERT_TRUE(back);
+    EXPECT_EQ(back->blocks.size(), ghostdmx::kMaxBlocks);
+    EXPECT_EQ(back->blocks.back().offset, ghostdmx::kMaxBlocks);
+    index.blocks.push_back({ghostdmx::kMaxBlocks + 1, 0us, 0});
+    EXPECT_FALSE(ghostdmx::decode_index(ghostdmx::encode(index)));
+}
+
 } // namespace
 } // namespace ghost::dmx

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Captures as recordings: every container and link type, what is left out is counted, and the levels are
 // those that a live receiver has.
+#include "archives/gzip_file.h"
 #include "disk/files.h"
 #include "dmx/receive/receiver.h"
 #include "dmx/send/sender.h"
@@ -404,6 +405,22 @@ TEST_F(GzipCaptures, that_end_early_or_are_damaged_say_so) {
     const ReadBack other = read(packed(ByteList(100, 'x')));
     EXPECT_FALSE(other.ok);
     EXPECT_NE(other.error.find("gunzip"), std::string::npos) << other.error;
+}
+
+TEST_F(GzipCaptures, are_read_up_to_their_limit) {
+    constexpr std::uint64_t kMost = 1'000'000;
+    const auto unpacked = [&](std::size_t bytes) {
+        const auto file = write_bytes(folder.path / "a.gz", packed(ByteList(bytes, 'x')));
+        GzipFile gzip(std::ifstream(file, std::ios::binary), fs::file_size(file), kMost);
+        ByteList read(bytes);
+        read.resize(gzip.read(0, read));
+        return std::pair(read.size(), gzip.problem().value_or(""));
+    };
+    EXPECT_EQ(unpacked(kMost), std::pair(std::size_t{kMost}, std::string()));
+    for (const std::size_t bytes : {std::size_t{kMost + 1}, std::size_t{3 * kMost}})
+        EXPECT_EQ(unpacked(bytes),
+                  std::pair(std::size_t{kMost}, std::string("the gzip file unpacks to more than the 1000000 "
+                                                            "bytes that are read")));
 }
 
 // At every packet, against the merge fed by hand.

@@ -57,6 +57,19 @@ def films(show):
     print("a film of 4 tasks: 480 pictures and the film, the same bytes")
 
 
+def the_longest_film(show):
+    """A plan has 20,000 tasks: the first picture, and 19,999 pieces of 240. Planned only, on a machine without Slurm."""
+    words = ["render", show, "-o", "long.mp4", "--view", "house", "--fps", "30", "--farm", "slurm", "--to"]
+    bare = Ghostlight(ghost.program, {**ghost.environment, "PATH": str(work / "nothing")}, work)
+    end_s = 19_999 * 240 / 30
+    bare.run(*words, end_s, code=1, says="Slurm is not here")
+    tasks = ghost.run("farm", "tasks", plan_of(show)).split()
+    assert len(tasks) == 20_000, len(tasks)
+    said = bare.run(*words, end_s + 0.1, code=1)
+    assert "long.mp4: 20001 tasks are more than the 20000 of one plan; give it in parts" in said, said
+    print("a film of 20,000 tasks is planned, one of 20,001 is refused")
+
+
 def free_cameras(show):
     for name, words in {"free": ["--live", "--view", "close"], "fly": ["--view", "house", "--travel", "close"]}.items():
         # Smaller ones have more edges than room for them, and which are left out is chance.
@@ -178,6 +191,7 @@ def what_cannot_be(show):
 try:
     baked = bakes()
     films(baked)
+    the_longest_film(baked)
     free_cameras(baked)
     tasks_by_hand(baked)
     baked_anew(baked)

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
 """A mover by keys in a film that follows the network's time code: it is where the recording has it at that second, it stands with the code,
-and it goes back with it. Usage: keys_test.py SOURCE_FOLDER BUILD_FOLDER. On 127.0.0.1, at a UDP port of its own."""
+and it goes back with it. And how long `check` watches movers by keys. Usage: keys_test.py SOURCE_FOLDER BUILD_FOLDER. On 127.0.0.1, at a UDP port of its own."""
 import pathlib
 import socket
 import struct
@@ -76,6 +76,39 @@ def film_at(top, at_s):
     return sorted(top.glob("film-*.exr"))[-1].read_bytes()
 
 
+LONG = """[show]
+stage = "stage.obj"
+[[camera]]
+name = "front"
+position_m = [0, -12, 3]
+target_m = [0, 2, 2]
+[[mover]]
+name = "Lift"
+kind = "linear"
+objects = ["lift"]
+[[mover.axis]]
+range_m = [0, 2]
+[[mover.key]]
+at_s = 0
+values = [0]
+[[mover.key]]
+at_s = {end_s}
+values = [1]
+"""
+
+
+def the_longest_watch(top):
+    """500,000 steps, 20 a second, of which the first is at 0 s."""
+    (top / "stage.obj").write_text("o lift\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")
+    for end_s, is_said in ((24999.96, False), (25000.5, True)):
+        (top / "show.toml").write_text(LONG.format(end_s=end_s))
+        done = subprocess.run([GHOST, "check", top], capture_output=True, text=True, timeout=300)
+        said = done.stdout + done.stderr
+        assert "the movers are watched for" not in said or is_said, said
+        assert not is_said or "show.toml: the movers are watched for 25000 s, from 0 s on; what they do up to " in said, said
+    print("ok: check watches 500,000 steps of movers, and says where it ends")
+
+
 def main():
     with tempfile.TemporaryDirectory() as temporary:
         top = pathlib.Path(temporary)
@@ -88,6 +121,8 @@ def main():
             assert film == still, f"at {at_s} s the film is not as the recording has it"
             seen[at_s] = film
         assert seen[2] != seen[7], "it travels"
+        (top / "long").mkdir()
+        the_longest_watch(top / "long")
         print("ok: at 2, 7 and again 2 s of time code, each as the recording has it")
     return 0
 

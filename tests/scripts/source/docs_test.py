@@ -1,12 +1,16 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
-"""What the documents say is there: every link leads somewhere, every path exists, every table of measurements has its day, and every command
-line has a command and options that the program knows. Usage: docs_test.py SOURCE_ROOT [BUILD_FOLDER]; without the latter command lines are not looked at."""
+"""What the documents say is there: every link leads somewhere, every path exists, every figure that was measured has its day or the test that
+holds it, every script and preset that is named is there and knows the options, and every command line of the program is run, in an empty
+folder: it has a command, options and values that the program takes. Usage: docs_test.py SOURCE_ROOT [BUILD_FOLDER]; without the latter command
+lines of the program are not run."""
+import concurrent.futures
 import os
 import re
 import shlex
 import subprocess
 import sys
+import tempfile
 from pathlib import Path
 
 ROOT = Path(sys.argv[1]).resolve()
@@ -16,6 +20,11 @@ TOPS = "src|tests|tools|shaders|docs|cmake|assets|packaging"
 LINK = re.compile(r"\]\(([^)\s]+)\)")
 PATH = re.compile(rf"`((?:{TOPS})/[\w./*<>{{}},-]+)`")
 DATE = re.compile(r"(?:January|February|March|April|May|June|July|August|September|October|November|December) \d+|\d{4}-\d\d-\d\d")
+# What somebody measured, outside of docs/measurements, where whole tables are looked at.
+MEASURED = re.compile(r"\d ?dB\b|\d m?s of (?:processor|CPU)\b|seconds of processor time in|\bbusy (?:machine of|cores?)\b|"
+                      r"^Measured(?:: | on | with )|^## Measured|peak memory", re.M)
+HELD = re.compile(r"`test_\w+`|`tests/[\w/.]+`|\(tests/[\w/.]+\)|\]\((?:\.\./)?(?:docs/)?measurements/")
+WAITS_S = 3  # for a command line that does not end by itself: it was taken
 wrong = []
 
 
@@ -65,6 +74,40 @@ def check_dates(file, text):
             wrong.append(f"{file.relative_to(ROOT)}: {head}: figures without the day that they were measured (*Figures of November 21.*)")
 
 
+def check_measured(file, text):
+    """A paragraph with a figure names the test that holds it, or the figure's day stands in its section or at the document's beginning."""
+    if DATE.search(text.partition("\n## ")[0]):
+        return
+    for section in re.split(r"^(?=#{1,3} )", re.sub(r"^```.*?^```", "", text, flags=re.M | re.S), flags=re.M):
+        if DATE.search(section):
+            continue
+        for paragraph in section.split("\n\n"):
+            found = MEASURED.search(paragraph)
+            if found and not HELD.search(paragraph):
+                wrong.append(f"{file.relative_to(ROOT)}: {section.partition(chr(10))[0]}: '{found[0]}' without the day that it was measured "
+                             "or the test that holds it")
+
+
+def check_scripts(file, text):
+    """What is said in backticks or in a block of code of ./dev, of tools and of CMake's presets."""
+    actions = set(re.findall(r"^\./dev (\w+)", (ROOT / "dev").read_text(encoding="utf-8"), re.M))
+    presets = set(re.findall(r'"name": "(\w+)"', (ROOT / "CMakePresets.json").read_text(encoding="utf-8")))
+    place = file.relative_to(ROOT)
+    for action in re.findall(r"(?:^\s*|`)\./dev ([a-z]+)", text, re.M):
+        if action not in actions | {"help"}:
+            wrong.append(f"{place}: ./dev {action}: no such action")
+    for preset in re.findall(r"--preset (\w+)", text):
+        if preset not in presets:
+            wrong.append(f"{place}: --preset {preset}: no such preset")
+    for name, words in re.findall(r"(?:^\s*|`)(?:/usr/bin/python3 )?(tools/[\w/]+\.(?:py|sh))((?: [^`\n]*)?)", text, re.M):
+        source = (ROOT / name).read_text(encoding="utf-8") if (ROOT / name).is_file() else ""
+        if not source:
+            wrong.append(f"{place}: {name}: no such file")
+        for option in re.findall(r"(?<=\s)--[a-z][\w-]*", words):
+            if option not in source:
+                wrong.append(f"{place}: {name} {option}: no such option")
+
+
 def commands():
     """Command -> its options, as the program tells them."""
     top = subprocess.run([PROGRAM, "--help"], capture_output=True, text=True, timeout=60).stdout
@@ -79,35 +122,59 @@ def commands():
     return known
 
 
-def check_commands(file, text, known):
-    """Command lines of the blocks of code; returns how many."""
-    count = 0
+def lines_of(text):
+    """Command lines of the program: those of blocks of code, and what stands in backticks. Number of the line, the words, whether in prose."""
     for block in re.finditer(r"^```(?:sh|bash|console)?\n(.*?)^```|^(?:    .*\n)+", text, re.M | re.S):
         first = text.count("\n", 0, block.start()) + 1
         for number, line in enumerate(block[0].splitlines()):
-            found = re.match(r"\s*(?:\$ )?(?:sudo )?(?:build/release/)?ghostlight ([a-z].*)", line)
-            if not found:
-                continue
-            try:
-                words = shlex.split(re.split(r"\s[|>&]|;", found[1])[0], comments=True)
-            except ValueError:
-                continue
-            name = " ".join(words[:2]) if " ".join(words[:2]) in known else words[0]
-            place = f"{file.relative_to(ROOT)}:{first + number}"
-            count += 1
-            if name not in known:
-                wrong.append(f"{place}: ghostlight {words[0]}: no such command")
-                continue
-            for word in words:
-                option = re.match(r"(--?[a-zA-Z][\w-]*)", word)
-                if option and option[1] not in known[name] | {"--help", "-h"} and not (len(word) > 2 and word[:2] in known[name] and word[1] != "-"):
-                    wrong.append(f"{place}: ghostlight {name} {option[1]}: no such option")
-    return count
+            if found := re.match(r"\s*(?:\$ )?(?:sudo )?(?:build/release/)?ghostlight ([a-z].*)", line):
+                yield first + number, found[1], False
+    for found in re.finditer(r"`(?:build/release/)?ghostlight ([a-z][^`\n]*)`", text):
+        yield text.count("\n", 0, found.start()) + 1, found[1], True
+
+
+def check_commands(file, text, known):
+    """Its command lines by the options that the program knows. Those that are whole, to be run: place, words, whether in prose."""
+    whole = []
+    for number, line, is_prose in lines_of(text):
+        try:
+            words = shlex.split(re.split(r"\s[|>&]|;", line)[0], comments=True)
+        except ValueError:
+            continue
+        name = " ".join(words[:2]) if " ".join(words[:2]) in known else words[0]
+        place = f"{file.relative_to(ROOT)}:{number}"
+        if name not in known:
+            wrong.append(f"{place}: ghostlight {words[0]}: no such command")
+            continue
+        for word in words:
+            option = re.match(r"(--?[a-zA-Z][\w-]*)", word)
+            if option and option[1] not in known[name] | {"--help", "-h"} and not (len(word) > 2 and word[:2] in known[name] and word[1] != "-"):
+                wrong.append(f"{place}: ghostlight {name} {option[1]}: no such option")
+        if not any(re.search(r"\.\.\.|\.\.$|[\[\]|<>*…]", word) for word in words):
+            whole.append((place, words, is_prose))
+    return whole
+
+
+def run(line):
+    """In an empty folder, so that it ends at the first file that is missing; nothing where the program takes the words."""
+    place, words, is_prose = line
+    with tempfile.TemporaryDirectory() as folder:
+        home = {name: folder for name in ("HOME", "XDG_STATE_HOME", "XDG_CACHE_HOME", "XDG_DATA_HOME", "XDG_CONFIG_HOME")}
+        try:
+            done = subprocess.run([PROGRAM, *words], cwd=folder, env={**os.environ, **home, "QT_QPA_PLATFORM": "offscreen"}, timeout=WAITS_S,
+                                  stdin=subprocess.DEVNULL, capture_output=True, text=True, errors="replace")
+        except subprocess.TimeoutExpired:
+            return None
+    said = done.stderr.strip()
+    # Prose names a command by what matters there. A word in capitals stands for one of several.
+    is_meant = (re.search(r"does not exist: ", said) or (is_prose and re.search(r" is required$", said, re.M)) or
+                any(word.isupper() and f": {word} not in" in said for word in words))
+    return None if done.returncode != 2 or is_meant else f"{place}: ghostlight {shlex.join(words)}: {said}"
 
 
 def main():
     known = commands() if PROGRAM else {}
-    lines = 0
+    lines = []
     files = documents()
     for file in files:
         if not file.exists():
@@ -115,12 +182,17 @@ def main():
         text = file.read_text(encoding="utf-8")
         if file.name != "CHANGELOG.md":
             check_links(file, text)
+            check_scripts(file, text)
         if file.parent.name == "measurements":
             check_dates(file, text)
-        if PROGRAM:
+        elif file.name != "CHANGELOG.md":
+            check_measured(file, text)
+        if PROGRAM and file.name != "CHANGELOG.md":
             lines += check_commands(file, text, known)
-    print("\n".join([*wrong, f"{len(files)} documents, {lines} command lines, {len(wrong)} wrong"]))
-    return 1 if wrong or len(files) < 40 or (PROGRAM and lines < 50) else 0
+    with concurrent.futures.ThreadPoolExecutor() as some:
+        wrong.extend(fault for fault in some.map(run, lines) if fault)
+    print("\n".join([*wrong, f"{len(files)} documents, {len(lines)} command lines, {len(wrong)} wrong"]))
+    return 1 if wrong or len(files) < 40 or (PROGRAM and len(lines) < 100) else 0
 
 
 if __name__ == "__main__":

@@ -150,6 +150,28 @@ TEST(Saving, a_file_that_cannot_be_read_is_not_taken_for_unchanged) {
     EXPECT_TRUE(desk.document.save(true).ok());
 }
 
+TEST(Drafts, one_is_offered_up_to_the_limit_of_a_show_file) {
+    QTemporaryDir place;
+    scene::Show show;
+    show.folder = place.path().toStdString();
+    show.file = show.folder / "show.toml";
+    const Drafts drafts(show);
+    ASSERT_TRUE(drafts.write("x", "saved").ok());
+    const fs::path file = show.folder / ".ghost" / "draft.toml";
+    const std::size_t head = fs::file_size(file) - 1;
+    ASSERT_TRUE(drafts.write(std::string(scene::kMaxShowBytes - head, '#'), "saved").ok());
+    const auto longest = drafts.find("saved");
+    ASSERT_TRUE(longest.has_value());
+    EXPECT_EQ(longest->text.size(), scene::kMaxShowBytes - head);
+    ASSERT_TRUE(drafts.write(std::string(scene::kMaxShowBytes - head + 1, '#'), "saved").ok());
+    testing::internal::CaptureStderr();
+    EXPECT_FALSE(drafts.find("saved").has_value());
+    const std::string said = testing::internal::GetCapturedStderr();
+    EXPECT_NE(said.find("draft.toml: is 16777217 bytes, more than the limit of 16777216"), std::string::npos)
+        << said;
+    EXPECT_TRUE(fs::exists(file)) << "it is left where it is";
+}
+
 TEST(Drafts, one_behind_a_link_is_neither_taken_nor_removed) {
     QTemporaryDir place, elsewhere;
     const fs::path folder = place.path().toStdString(), other = elsewhere.path().toStdString();
