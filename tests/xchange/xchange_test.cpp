@@ -282,6 +282,44 @@ std::function<std::string(const scene::XchangeMessage&)> offering(const std::str
     };
 }
 
+TEST(XchangeStations, messages_without_what_tells_them_apart_are_refused) {
+    const Folder folder;
+    XchangeOptions options = station("A");
+    options.save = folder.path / "come";
+    const auto a = start(options);
+    const auto answer_to = [&](const std::string& message) {
+        const auto stream = must(dmx::TcpStream::connect(0x7F000001, a->port()));
+        const std::string bytes = package(message);
+        std::string answer;
+        const scene::XchangeReader::Sink sink{[&](std::string_view json) -> Result<void> {
+                                                  answer = json;
+                                                  return {};
+                                              },
+                                              [](Bytes, bool) -> Result<void> { return {}; }};
+        scene::XchangeReader reader;
+        std::size_t sent = 0;
+        const auto end = std::chrono::steady_clock::now() + 10s;
+        while (answer.empty() && std::chrono::steady_clock::now() < end) {
+            sent +=
+                stream
+                    ->send({reinterpret_cast<const std::uint8_t*>(bytes.data()) + sent, bytes.size() - sent})
+                    .value_or(0);
+            if (const auto piece = stream->read(); piece && !piece->empty()) (void)reader.take(*piece, sink);
+            std::this_thread::sleep_for(5ms);
+        }
+        return must(scene::parse_xchange_message(answer));
+    };
+    const auto nameless = answer_to(R"({"Type":"MVR_JOIN","StationName":"B","Commits":[]})");
+    EXPECT_EQ(nameless.type, "MVR_JOIN_RET");
+    EXPECT_FALSE(nameless.ok);
+    EXPECT_NE(nameless.text.find("StationUUID"), std::string::npos) << nameless.text;
+    const auto fileless = answer_to(R"({"Type":"MVR_COMMIT","StationUUID":"b","FileName":"x.mvr"})");
+    EXPECT_EQ(fileless.type, "MVR_COMMIT_RET");
+    EXPECT_FALSE(fileless.ok);
+    EXPECT_NE(fileless.text.find("FileUUID"), std::string::npos) << fileless.text;
+    EXPECT_TRUE(answer_to(R"({"Type":"MVR_JOIN","StationName":"B","StationUUID":"b","Commits":[]})").ok);
+}
+
 TEST(XchangeStations, hostile_answers_save_nothing_and_end_nothing) {
     const Folder folder;
     std::string huge = package("", scene::XchangePayload::file);
@@ -454,8 +492,7 @@ TEST(XchangeStations, neighbours_are_met_and_speak_for_themselves) {
     EXPECT_FALSE(wait_for(*b, Kind::left, 1s).has_value()) << "once, by its own word";
 }
 
-// A commit without a number is a plot like others, whoever brings it.
-TEST(XchangeStations, plots_without_a_number_are_counted) {
+TEST(XchangeStations, plots_of_ever_new_numbers_are_counted) {
     const Folder folder;
     std::atomic<int> requests{0};
     const std::string plot = package(std::string("PK\3\4xyz", 7), scene::XchangePayload::file);
@@ -473,10 +510,11 @@ TEST(XchangeStations, plots_without_a_number_are_counted) {
     ASSERT_TRUE(wait_for(*b, Kind::joined).has_value());
     const auto visitor = must(dmx::TcpStream::connect(dmx::IpAddress(0x7F000001), b->port()));
     constexpr int kAtOnce = 200, kRounds = 6, kMostTaken = 1000;
-    std::string commits;
-    for (int k = 0; k < kAtOnce; ++k)
-        commits += package(R"({"Type":"MVR_COMMIT","StationUUID":"f","FileUUID":""})");
     for (int round = 1; round <= kRounds; ++round) {
+        std::string commits;
+        for (int k = 0; k < kAtOnce; ++k)
+            commits += package(R"({"Type":"MVR_COMMIT","StationUUID":"f","FileUUID":")" +
+                               std::to_string(round * kAtOnce + k) + "\"}");
         ASSERT_EQ(visitor->send({reinterpret_cast<const std::uint8_t*>(commits.data()), commits.size()}),
                   commits.size());
         const int wanted = std::min(round * kAtOnce, kMostTaken);
