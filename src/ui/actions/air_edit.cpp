@@ -12,7 +12,6 @@ namespace {
 
 // As the show file takes them (docs/reference/show-file.md).
 constexpr double kFarthestHazer_m = 10000;
-constexpr double kMostWind_m_s = 20;
 constexpr double kMostExtinction_per_m = 10;
 
 Result<glm::vec3> vector_of(const QStringList& words, int from, const char* what, double most) {

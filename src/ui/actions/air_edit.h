@@ -10,6 +10,8 @@
 
 namespace ghost::ui {
 
+inline constexpr float kMostWind_m_s = 20; // of each of its three numbers
+
 class AirEdit {
 public:
     AirEdit(AppModel& app, ShowDocument& document) : app_(app), document_(document) {}

@@ -3,6 +3,7 @@
 
 #include "show/haze_presets.h"
 #include "show/show.h"
+#include "ui/actions/air_edit.h"
 #include "ui/language/language.h"
 #include "ui/widgets/following.h"
 
@@ -16,8 +17,6 @@
 
 namespace ghost::ui {
 namespace {
-
-constexpr float kMostWind_m_s = 20; // of each of its three numbers
 
 struct HazerColumn {
     const char* title;

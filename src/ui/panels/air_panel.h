@@ -5,7 +5,7 @@
 // changed here is an edit of the show. Window thread.
 
 #include "ui/actions/air_edit.h"
-#include "ui/panels/bounce_row.h"
+#include "ui/panel_parts/bounce_row.h"
 #include "ui/widgets/value_row.h"
 
 #include <QComboBox>

@@ -3,7 +3,7 @@
 
 #include "show/show.h"
 #include "ui/language/language.h"
-#include "ui/panels/rdm_box.h"
+#include "ui/panel_parts/rdm_box.h"
 #include "ui/widgets/theme.h"
 
 #include <QHeaderView>

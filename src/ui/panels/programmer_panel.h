@@ -6,8 +6,8 @@
 
 #include "ui/model/app_model.h"
 #include "ui/model/head_parameters.h"
-#include "ui/panels/fan_box.h"
-#include "ui/panels/palette_box.h"
+#include "ui/panel_parts/fan_box.h"
+#include "ui/panel_parts/palette_box.h"
 #include "ui/widgets/colour_row.h"
 #include "ui/widgets/parameter_row.h"
 #include "ui/widgets/value_row.h"

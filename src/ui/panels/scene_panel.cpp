@@ -5,7 +5,7 @@
 #include "stage/overrides.h"
 #include "ui/actions/programmer_actions.h"
 #include "ui/language/language.h"
-#include "ui/panels/mover_box.h"
+#include "ui/panel_parts/mover_box.h"
 
 #include <QVBoxLayout>
 

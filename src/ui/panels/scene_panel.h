@@ -5,7 +5,7 @@
 // Window thread.
 
 #include "ui/model/app_model.h"
-#include "ui/panels/stage_tree.h"
+#include "ui/panel_parts/stage_tree.h"
 #include "ui/widgets/colour_row.h"
 #include "ui/widgets/value_row.h"
 

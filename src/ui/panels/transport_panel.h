@@ -5,7 +5,7 @@
 
 #include "ui/actions/actions.h"
 #include "ui/model/app_model.h"
-#include "ui/panels/waveform.h"
+#include "ui/panel_parts/waveform.h"
 
 #include <QAction>
 #include <QComboBox>

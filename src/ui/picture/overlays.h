@@ -14,6 +14,8 @@
 
 namespace ghost::ui {
 
+inline constexpr int kResizeRest_ms = 150; // of a window that is being resized
+
 struct OverlayChoice {
     bool chips = true;    // what somebody must know to believe the picture
     bool figures = false; // frame time, latency, what is shown

@@ -18,7 +18,6 @@
 namespace ghost::ui {
 namespace {
 
-constexpr int kRest_ms = 150; // of a window that is being resized
 constexpr int kFly_ms = 16;
 constexpr int kHover_ms = 150; // a mouse that only passes asks nothing
 constexpr float kFly_m_s = 4;
@@ -59,7 +58,7 @@ View::View(AppModel& app, QWidget* parent) : QWidget(parent), app_(app), figures
     setMouseTracking(true); // for the probe
     setAccessibleName(translated("Picture", "Picture of the stage"));
     resize_timer_.setSingleShot(true);
-    resize_timer_.setInterval(kRest_ms);
+    resize_timer_.setInterval(kResizeRest_ms);
     connect(&resize_timer_, &QTimer::timeout, this, &View::ask_for_size);
     rest_timer_.setSingleShot(true);
     connect(&rest_timer_, &QTimer::timeout, this, qOverload<>(&QWidget::update));

@@ -14,7 +14,6 @@
 namespace ghost::ui {
 namespace {
 
-constexpr int kRest_ms = 150; // of a window that is being resized
 constexpr QSize kWindow(960, 540);
 
 QString names_of_screens() {
@@ -35,7 +34,7 @@ PictureWindow::PictureWindow(AppModel& app) : app_(app) {
     setWindowTitle(translated("Notice", "Ghostlight, the picture"));
     setMinimumSize(16, 16);
     resize_timer_.setSingleShot(true);
-    resize_timer_.setInterval(kRest_ms);
+    resize_timer_.setInterval(kResizeRest_ms);
     connect(&resize_timer_, &QTimer::timeout, this, [this] {
         const double ratio = asked_ratio_ = devicePixelRatioF();
         app_.set_second_size({static_cast<int>(std::lround(width() * ratio)),

@@ -104,7 +104,7 @@ def is_text(file, text, before, statement):
     # Menus and keys, in tables of actions and in lists of menus.
     if re.search(r'add\(\{|kMenus|menu : |actions\.add|"[\w-]*",? ?(\+ ?name)?,$|\? "" :$', before[-300:]) and (text in MENUS or is_key(text)):
         return False
-    return not (file.startswith(("actions/", "window/", "panels/", "picture/", "model/")) and (is_of_script(text) or is_key(text)))
+    return not (file.startswith(("actions/", "window/", "panels/", "panel_parts/", "picture/", "model/")) and (is_of_script(text) or is_key(text)))
 
 
 MENUS = {"Show", "Edit", "View", "Camera", "Play", "Quality", "Panels", "Help"}

@@ -8,7 +8,7 @@
 #include "ui/actions/programmer_actions.h"
 #include "ui/model/look_fade.h"
 #include "ui/model/looks.h"
-#include "ui/panels/mover_box.h"
+#include "ui/panel_parts/mover_box.h"
 
 #include <QLineEdit>
 

@@ -2,7 +2,7 @@
 // What desks want by RDM as edits of the show, each a step that comes back byte for byte.
 #include "support/test_desk.h"
 
-#include "ui/panels/rdm_box.h"
+#include "ui/panel_parts/rdm_box.h"
 #include "ui/window/rdm_edits.h"
 
 #include <QComboBox>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ui/panels/bounce_row.h"
+#include "ui/panel_parts/bounce_row.h"
 
 #include "ui/language/language.h"
 #include "ui/widgets/value_row.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ui/panels/mover_box.h"
+#include "ui/panel_parts/mover_box.h"
 
 #include "show/show.h"
 #include "ui/actions/actions.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ui/panels/fan_box.h"
+#include "ui/panel_parts/fan_box.h"
 
 #include "show/show.h"
 #include "ui/language/language.h"

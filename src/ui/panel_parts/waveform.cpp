@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ui/panels/waveform.h"
+#include "ui/panel_parts/waveform.h"
 
 #include "ui/language/language.h"
 #include "ui/widgets/theme.h"

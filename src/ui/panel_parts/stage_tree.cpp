@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ui/panels/stage_tree.h"
+#include "ui/panel_parts/stage_tree.h"
 
 #include "ui/language/language.h"
 #include "ui/widgets/following.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ui/panels/palette_box.h"
+#include "ui/panel_parts/palette_box.h"
 
 #include "ui/actions/programmer_actions.h"
 #include "ui/language/language.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ui/panels/rdm_box.h"
+#include "ui/panel_parts/rdm_box.h"
 
 #include "show/show.h"
 #include "ui/language/language.h"
