@@ -3946,6 +3946,10 @@ Bitte den Namen des Ordners prüfen.</translation>
         <translation>die Ausgabe des Pults oder den Patch der Show um eins verschieben</translation>
     </message>
     <message>
+        <source>%1. If that is another system&apos;s (another hall, somebody&apos;s list), this show&apos;s desk is silent or does not get here: its output, the network, a firewall on UDP 5568 and 6454</source>
+        <translation>%1. Wenn das einer anderen Anlage gehört (andere Halle, jemandes Liste), schweigt das Pult dieser Show oder kommt nicht an: sein Ausgang, das Netz, eine Firewall auf UDP 5568 und 6454</translation>
+    </message>
+    <message>
         <source>%1 announces %2, nothing is patched there; the show wants %3</source>
         <translation>%1 kündigt %2 an, dort ist nichts gepatcht; die Show will %3</translation>
     </message>
@@ -3994,6 +3998,14 @@ Bitte den Namen des Ordners prüfen.</translation>
         <translation>%1. Auf sACN wird nicht gehört (--protocols)</translation>
     </message>
     <message>
+        <source>%1. Somebody asks who wants Art-Net (ArtPoll) and gets no answer (--no-poll-reply): OLA and some desks send to those alone that answer</source>
+        <translation>%1. Jemand fragt, wer Art-Net will (ArtPoll), und bekommt keine Antwort (--no-poll-reply): OLA und manche Pulte senden nur an die, die antworten</translation>
+    </message>
+    <message>
+        <source>%1. Somebody asks who wants Art-Net (ArtPoll) and gets no answer, for it asks from another network, too often or with too many others: OLA and some desks send to those alone that answer</source>
+        <translation>%1. Jemand fragt, wer Art-Net will (ArtPoll), und bekommt keine Antwort, denn er fragt aus einem anderen Netz, zu oft oder mit zu vielen anderen: OLA und manche Pulte senden nur an die, die antworten</translation>
+    </message>
+    <message>
         <source>nothing comes for %1 any more, since %2: black (--on-loss). Its desk has stopped, or something on the way lets nothing through any more: a cable, a firewall, or a switch that prunes multicast after minutes (IGMP snooping without a querier)</source>
         <translation>nichts kommt mehr für %1, seit %2: schwarz (--on-loss). Das Pult hat aufgehört, oder etwas unterwegs lässt nichts mehr durch: ein Kabel, eine Firewall oder ein Switch, der Multicast nach Minuten abschneidet (IGMP-Snooping ohne Querier)</translation>
     </message>
@@ -4022,6 +4034,22 @@ Bitte den Namen des Ordners prüfen.</translation>
         <translation>%1 wird auf %2 nicht gezeigt: %3 hat eine höhere Priorität</translation>
     </message>
     <message>
+        <source>%1 sends priorities per address above 200 on universe %2 for %3: there is none above 200 (E1.31), and these channels are not shown</source>
+        <translation>%1 sendet auf Universum %2 Prioritäten je Adresse über 200 für %3: über 200 gibt es keine (E1.31), und diese Kanäle werden nicht gezeigt</translation>
+    </message>
+    <message>
+        <source>%1 sends %2 on universe %3 and priorities per address for %4 alone: it gives the others up, and fixtures are patched there</source>
+        <translation>%1 sendet %2 auf Universum %3 und Prioritäten je Adresse nur für %4: die anderen gibt es ab, und dort sind Geräte gepatcht</translation>
+    </message>
+    <message>
+        <source>%1 levels</source>
+        <translation>%1 Werte</translation>
+    </message>
+    <message>
+        <source>%1 level</source>
+        <translation>%1 Wert</translation>
+    </message>
+    <message>
         <source>%1 comes from more than one source of equal priority, %2, and they differ on up to %3: %4. Switch one off, or give one that is a backup a lower priority</source>
         <translation>%1 kommt von mehr als einer Quelle gleicher Priorität, %2, und sie unterscheiden sich auf bis zu %3: %4. Eine abschalten oder der Reserve eine niedrigere Priorität geben</translation>
     </message>
@@ -4036,6 +4064,14 @@ Bitte den Namen des Ordners prüfen.</translation>
     <message>
         <source>of each channel the higher level shows (HTP)</source>
         <translation>von jedem Kanal gilt der höhere Wert (HTP)</translation>
+    </message>
+    <message>
+        <source>%1. %2 names more than one Physical (input): it has several, or it changes what it names, and each counts as a source</source>
+        <translation>%1. %2 nennt mehr als ein Physical (Eingang): es hat mehrere, oder es wechselt, was es nennt, und jedes zählt als Quelle</translation>
+    </message>
+    <message>
+        <source>%1. %2 sends by sACN and by Art-Net: if that is one desk, one of them will do</source>
+        <translation>%1. %2 sendet mit sACN und mit Art-Net: wenn das ein Pult ist, genügt eines davon</translation>
     </message>
     <message>
         <source>%1 channels</source>
@@ -4076,6 +4112,10 @@ Bitte den Namen des Ordners prüfen.</translation>
     <message>
         <source>%1 packet got lost on the way in the last seconds: cable, switch or Wi-Fi</source>
         <translation>%1 Paket ging in den letzten Sekunden unterwegs verloren: Kabel, Switch oder WLAN</translation>
+    </message>
+    <message>
+        <source>two Art-Net time codes run, of %1 and %2: what follows the time code jumps from one to the other</source>
+        <translation>zwei Art-Net-Timecodes laufen, von %1 und %2: was dem Timecode folgt, springt von einem zum anderen</translation>
     </message>
     <message>
         <source>no levels</source>
@@ -5378,12 +5418,12 @@ Bitte den Namen des Ordners prüfen.</translation>
         <translation>&apos;%1&apos; ist keines von name, number, look, at, camera, flight, fade, follow, page und notes</translation>
     </message>
     <message>
-        <source>universe %1 comes with %2 channels, and %3 of the fixture lie past these (is it patched on the desk?), and %4</source>
-        <translation>Universum %1 kommt mit %2 Kanälen, und %3 des Geräts liegen dahinter (ist es am Pult gepatcht?), und %4</translation>
+        <source>universe %1 comes with %2, and %3 of the fixture lie past these (is it patched on the desk?), and %4</source>
+        <translation>Universum %1 kommt mit %2, und %3 des Geräts liegen dahinter (ist es am Pult gepatcht?), und %4</translation>
     </message>
     <message>
-        <source>universe %1 comes with %2 channels, and %3 of the fixture lie past these (is it patched on the desk?)</source>
-        <translation>Universum %1 kommt mit %2 Kanälen, und %3 des Geräts liegen dahinter (ist es am Pult gepatcht?)</translation>
+        <source>universe %1 comes with %2, and %3 of the fixture lie past these (is it patched on the desk?)</source>
+        <translation>Universum %1 kommt mit %2, und %3 des Geräts liegen dahinter (ist es am Pult gepatcht?)</translation>
     </message>
     <message>
         <source>their universe %1 comes with fewer channels</source>
@@ -5598,16 +5638,24 @@ Bitte den Namen des Ordners prüfen.</translation>
         <translation>%1 kommt von mehr als einer Quelle gleicher Priorität, %2, und sie unterscheiden sich auf bis zu %3: %4. %5 sendet nur 0: wenn das ein Blackout ist, verdecken ihn die anderen</translation>
     </message>
     <message>
+        <source>%1 comes from more than one source of equal priority, %2, and they differ on up to %3: %4. %5 has all dimmers at 0: if that is a black-out, the others hide it</source>
+        <translation>%1 kommt von mehr als einer Quelle gleicher Priorität, %2, und sie unterscheiden sich auf bis zu %3: %4. %5 hat alle Dimmer auf 0: wenn das ein Blackout ist, verdecken ihn die anderen</translation>
+    </message>
+    <message>
         <source>%1 come from more than one source of equal priority, %2, and they differ on up to %3: %4. %5 sends 0 alone: if that is a black-out, the others hide it</source>
         <translation>%1 kommen von mehr als einer Quelle gleicher Priorität, %2, und sie unterscheiden sich auf bis zu %3: %4. %5 sendet nur 0: wenn das ein Blackout ist, verdecken ihn die anderen</translation>
     </message>
     <message>
-        <source>numbers of the packets of %1 jump back and forth, or come twice with other levels, on %2: two programs send there as one, and now the look of this shows, now of that. Close one, or give it an identity of its own (sACN: a CID, Art-Net: an address)</source>
-        <translation>Nummern der Pakete von %1 springen auf %2 vor und zurück oder kommen zweimal mit anderen Werten: zwei Programme senden dort als eines, und gezeigt wird bald der Stand des einen, bald der des anderen. Eines schließen oder ihm eine eigene Identität geben (sACN: eine CID, Art-Net: eine Adresse)</translation>
+        <source>%1 come from more than one source of equal priority, %2, and they differ on up to %3: %4. %5 has all dimmers at 0: if that is a black-out, the others hide it</source>
+        <translation>%1 kommen von mehr als einer Quelle gleicher Priorität, %2, und sie unterscheiden sich auf bis zu %3: %4. %5 hat alle Dimmer auf 0: wenn das ein Blackout ist, verdecken ihn die anderen</translation>
     </message>
     <message>
-        <source>the packets of %1 on %2 come by turns from the ports %3 and %4: two programs send there as one, and now the look of this shows, now of that. Close one, or give it an identity of its own (sACN: a CID, Art-Net: an address)</source>
-        <translation>die Pakete von %1 auf %2 kommen abwechselnd von den Ports %3 und %4: zwei Programme senden dort als eines, und gezeigt wird bald der Stand des einen, bald der des anderen. Eines schließen oder ihm eine eigene Identität geben (sACN: eine CID, Art-Net: eine Adresse)</translation>
+        <source>packets of %1 on %2 come in two rows of numbers, or one of them without any, with different levels: two programs send there as one, or one that gives two packets one number (a base and an effect). Now the look of this shows, now of that. Of two, close one, or give it an identity of its own (sACN: a CID, Art-Net: an address)</source>
+        <translation>die Pakete von %1 auf %2 kommen in zwei Zahlenreihen, oder eine davon ohne Nummern, mit verschiedenen Werten: zwei Programme senden dort als eines, oder eines, das zwei Paketen eine Nummer gibt (Grundstand und Effekt). Gezeigt wird bald der Stand des einen, bald der des anderen. Von zweien eines schließen oder ihm eine eigene Identität geben (sACN: eine CID, Art-Net: eine Adresse)</translation>
+    </message>
+    <message>
+        <source>the packets of %1 on %2 come by turns from the ports %3 and %4 with different levels: two programs send there as one, or one by two sockets. Now the look of this shows, now of that. Of two, close one, or give it an identity of its own (sACN: a CID, Art-Net: an address)</source>
+        <translation>die Pakete von %1 auf %2 kommen abwechselnd von den Ports %3 und %4 mit verschiedenen Werten: zwei Programme senden dort als eines, oder eines über zwei Sockets. Gezeigt wird bald der Stand des einen, bald der des anderen. Von zweien eines schließen oder ihm eine eigene Identität geben (sACN: eine CID, Art-Net: eine Adresse)</translation>
     </message>
     <message>
         <source>%1 channels (%2 in some packets)</source>
@@ -5652,6 +5700,14 @@ Bitte den Namen des Ordners prüfen.</translation>
     <message>
         <source>nothing comes for %1 any more, since %2: the last look is held. Packets still come, without levels</source>
         <translation>für %1 kommt seit %2 nichts mehr: der letzte Stand wird gehalten. Es kommen noch Pakete, ohne Werte</translation>
+    </message>
+    <message>
+        <source>nothing comes for %1 any more, since %2: the last look is held. Its desk said that it ends this stream: its output was switched off, or its program closed</source>
+        <translation>seit %2 kommt nichts mehr für %1: der letzte Stand wird gehalten. Sein Pult hat gesagt, dass es diesen Strom beendet: sein Ausgang wurde abgeschaltet oder sein Programm beendet</translation>
+    </message>
+    <message>
+        <source>nothing comes for %1 any more, since %2: black (--on-loss). Its desk said that it ends this stream: its output was switched off, or its program closed</source>
+        <translation>seit %2 kommt nichts mehr für %1: schwarz (--on-loss). Sein Pult hat gesagt, dass es diesen Strom beendet: sein Ausgang wurde abgeschaltet oder sein Programm beendet</translation>
     </message>
     <message>
         <source>nothing comes for %1 any more, since %2: black (--on-loss). Packets still come, without levels</source>

@@ -115,7 +115,7 @@ vec3 gathered(Light light, Fan fan, vec3 dir, float far) {
     float sin_end = max(length(aside), kLeastSine);
     vec2 meridian = aside / sin_end;
     float row = fan_row(fan.beam, meridian.x, meridian.y);
-    vec4 chord = fan_chord(fan.beam, meridian.x);
+    vec4 chord = fan_chord(fan.beam, meridian);
     vec4 tangent = fan_tangent(fan.beam, chord, vec2(cos_end, sin_end));
     float distance_m = fan.beam.eye_m * sin_end;
 
@@ -253,5 +253,5 @@ vec3 ray_scale(Light light, Fan fan, float half_chord, float sine) {
 vec3 scattered(Light light, Fan fan, vec3 dir, float far) {
     vec2 aside = vec2(dot(dir, fan.beam.along), dot(dir, fan.beam.across));
     float sine = max(length(aside), kLeastSine);
-    return gathered(light, fan, dir, far) * ray_scale(light, fan, fan_chord(fan.beam, aside.x / sine).w, sine);
+    return gathered(light, fan, dir, far) * ray_scale(light, fan, fan_chord(fan.beam, aside / sine).w, sine);
 }

@@ -36,7 +36,7 @@ GridRay grid_ray(Light light, Fan fan, vec3 dir, float far) {
     float sine = max(length(aside), kLeastSine);
     vec2 meridian = aside / sine;
     float row = fan_row(fan.beam, meridian.x, meridian.y);
-    vec4 chord = fan_chord(fan.beam, meridian.x);
+    vec4 chord = fan_chord(fan.beam, meridian);
     vec4 tangent = fan_tangent(fan.beam, chord, vec2(cosine, sine));
     float eye_z = fan.beam.eye_m * fan.beam.cos_axis;
     float fall = dot(dir, light.axis_w);

@@ -18,7 +18,7 @@ ShadeRay shade_ray(Fan fan, vec3 dir) {
     float cosine = dot(dir, fan.shade.pole);
     float sine = max(length(aside), kLeastSine);
     vec2 meridian = aside / sine;
-    vec4 chord = fan_chord(fan.shade, meridian.x);
+    vec4 chord = fan_chord(fan.shade, meridian);
     int side = int(fan_shade_side(fan)), rows = int(fan_shade_rows(fan));
     float row = fan_bent(clamp(fan_row(fan.shade, meridian.x, meridian.y), -1.0, 1.0), fan.row_bend);
     return ShadeRay(fan_tangent(fan.shade, chord, vec2(cosine, sine)), cosine, max(chord.w, 1e-6), fan.column_bend,

@@ -56,7 +56,7 @@ void fill(Light light, Fan fan) {
     // Detail finer than a column would be cut into steps.
     if (IS_SHAPED(light)) focus = focus_at(light, fan.node[level].x, 2.0 * light.cut_radius / float(side));
     vec2 meridian = fan_meridian(fan.beam, 2.0 * float(row) / float(side - 1u) - 1.0);
-    vec4 chord = fan_chord(fan.beam, meridian.x);
+    vec4 chord = fan_chord(fan.beam, meridian);
     vec3 aside = fan.beam.along * meridian.x + fan.beam.across * meridian.y;
     vec3 pole = vec3(dot(fan.beam.pole, light.axis_u), dot(fan.beam.pole, light.axis_v), dot(fan.beam.pole, light.axis_w));
     vec3 side_axis = vec3(dot(aside, light.axis_u), dot(aside, light.axis_v), dot(aside, light.axis_w));

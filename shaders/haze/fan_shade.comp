@@ -29,7 +29,7 @@ void fill(uint map, Fan fan) {
     uint side = fan_shade_side(fan), rows = fan_shade_rows(fan);
     uint row = gl_GlobalInvocationID.x;
     vec2 meridian = fan_meridian(fan.shade, fan_straight((2.0 * float(row) + 1.0) / float(rows) - 1.0, fan.row_bend));
-    vec4 chord = fan_chord(fan.shade, meridian.x);
+    vec4 chord = fan_chord(fan.shade, meridian);
     vec3 aside = fan.shade.along * meridian.x + fan.shade.across * meridian.y;
     vec3 centre = fan.shade.pole * chord.x + aside * chord.y;
     vec3 turn = aside * chord.x - fan.shade.pole * chord.y;

@@ -71,6 +71,11 @@ vec3 shown(Light light, Keep keep, Fragment f, Haze haze, uint unit) {
     // It comes from the lens, not from the apex behind it; a cell of a bar is a bit beside the place where the map was made.
     vec3 from_map = from_light + light.off_map_m;
     vec3 to_light = -from_map / max(length(from_map), 0.01);
+    float k = light.tan_field * light.cut_radius;
+    float reached = q.z + f.reach_m * sqrt(1.0 + k * k) / k; // as in cull.comp
+    bool meets = reached > 0.0 && dot(q.xy, q.xy) < k * k * reached * reached && dot(f.facet, to_light) > 0.0;
+    // Of many lights a tile's are for all its fragments, and most fragments lie beside most beams.
+    if (!kSingle && !meets) return vec3(0.0);
     // The beam's mean over the fragment: a blur as wide as that is in the gate. (Shadows as wide as the fragment gain .1 dB, but
     // their relative error grows by up to 9 %.)
     float width_m = sqrt(f.area_m2 * max(facing, 0.0));
@@ -94,10 +99,7 @@ vec3 shown(Light light, Keep keep, Fragment f, Haze haze, uint unit) {
     vec3 light_cd = beam_cd *
                     (haze_transmittance(haze, way_from_lens_m(light, q)) * attenuation_factor(air.attenuation, distance_m) / distance2);
     vec3 value = light_cd * (kIlluminance ? vec3(max(dot(f.normal, to_light), 0.0)) : brdf_times_cosine(f.brdf, f.normal, f.to_eye, to_light));
-    float k = light.tan_field * light.cut_radius;
-    float reached = q.z + f.reach_m * sqrt(1.0 + k * k) / k; // as in cull.comp
-    bool meets = reached > 0.0 && dot(q.xy, q.xy) < k * k * reached * reached;
-    value = meets && dot(f.facet, to_light) > 0.0 ? value : vec3(0.0);
+    value = meets ? value : vec3(0.0);
     if (kShadows)
         value *= kept_fraction(light, keep, f, from_map, max(max(value.r, value.g), value.b) > 0.0, unit);
     return value;

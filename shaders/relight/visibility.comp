@@ -49,11 +49,15 @@ void make_unit(uint unit) {
         make(lights[p.batch], keeps[p.batch], place.xyz, facet, unit, there);
         return;
     }
-    for (uint word = 0u; word < (p.light_count + 31u) / 32u; ++word)
-        for (uint mask = mask_of[unit * kMaskWords + word]; mask != 0u; mask &= mask - 1u) {
+    // Workgroups share out the lights of a unit: each has so many that follow one another.
+    uint each = kLightsPerChunk / gl_NumWorkGroups.y, first = gl_WorkGroupID.y * each;
+    for (uint word = first / 32u; word * 32u < min(first + each, p.light_count); ++word) {
+        uint own = each < 32u ? ((1u << each) - 1u) << (first % 32u) : ~0u;
+        for (uint mask = mask_of[unit * kMaskWords + word] & own; mask != 0u; mask &= mask - 1u) {
             uint index = word * 32u + uint(findLSB(mask));
             make(lights[index], keeps[index], place.xyz, facet, unit, there);
         }
+    }
 }
 
 void main() {

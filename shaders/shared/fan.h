@@ -27,10 +27,11 @@ struct Planes {
     vec3 across;
     float sin_axis;
     float cos_cone;  // of the angle between the axis and the cone's rim
+    float sin_cone;
     float row_scale; // > 0: rows are even in the sine of the meridian, times this; < 0: the rim is near the pole or surrounds it (or
                      // the point opposite), rows are even in the meridian's angle, times minus this, in the half where the axis is
 };
-SHARED_SIZE(Planes, 56);
+SHARED_SIZE(Planes, 60);
 
 // Places the fan of one light for one eye.
 struct Fan {
@@ -51,7 +52,7 @@ struct Fan {
     uint plain;      // 1: of a shaped beam: levels have half as many columns as rows, and gobos whole levels of blur
     uint coarse_shade; // 1: the shade has half as many rows and columns
 };
-SHARED_SIZE(Fan, 324);
+SHARED_SIZE(Fan, 332);
 
 SHARED_CONST float kLeastSine = 1e-4f; // between a ray and the pole
 SHARED_CONST uint kFanLevels = 8u;
@@ -102,17 +103,19 @@ SHARED_FN vec2 fan_meridian(Planes planes, float row) {
     return planes.row_scale > 0.0f ? line : turn;
 }
 
-// Where a meridian runs through the cone, in its plane with the pole along x. xy: unit, where it is nearest to the axis;
-// z: how near (cosine of that angle); w: tangent of half the chord, seen from xy; 0 where it misses. A direction is
+// Where a meridian (its cosine and sine) runs through the cone, in its plane with the pole along x. xy: unit, where it is nearest
+// to the axis; z: how near (cosine of that angle); w: tangent of half the chord, seen from xy; 0 where it misses. A direction is
 // given by the tangent u of its angle from xy: its place in the row is 0.5 + 0.5 u / w.
-SHARED_FN vec4 fan_chord(Planes planes, float meridian_cosine) {
+SHARED_FN vec4 fan_chord(Planes planes, vec2 meridian) {
 #ifdef __cplusplus
     using namespace glm;
 #endif
-    float side = planes.sin_axis * meridian_cosine;
+    float side = planes.sin_axis * meridian.x;
     float reach = max(sqrt(planes.cos_axis * planes.cos_axis + side * side), 1e-6f);
-    float ratio = reach / planes.cos_cone;
-    return vec4(planes.cos_axis / reach, side / reach, reach, sqrt(max(ratio * ratio - 1.0f, 0.0f)));
+    // By sines: the cosines of a beam of half a degree differ by little more than their rounding.
+    float aside = planes.sin_axis * abs(meridian.y);
+    float half_chord = sqrt(max((planes.sin_cone - aside) * (planes.sin_cone + aside), 0.0f)) / planes.cos_cone;
+    return vec4(planes.cos_axis / reach, side / reach, reach, half_chord);
 }
 
 // Rows and columns of a level: half of the level before, kLeastSharp until its blur is four times as wide as these, then kLeastFan.
@@ -155,7 +158,7 @@ SHARED_FN uint fan_shade_side(Fan fan) {
 #ifdef __cplusplus
     using namespace glm;
 #endif
-    float width = 2.0f * sqrt(max(1.0f - fan.shade.cos_cone * fan.shade.cos_cone, 0.0f)) / max(fan.shade.cos_cone, 1e-3f);
+    float width = 2.0f * fan.shade.sin_cone / max(fan.shade.cos_cone, 1e-3f);
     uint texels = uint(clamp(width / ((1.0f + fan.column_bend) * 0.0035f), float(kLeastSharp / 2u), float(kFinestShade / 2u)));
     // An eye within the cone sees rows from end to end.
     return (fan.shade.row_scale < 0.0f ? kFinestShade : 2u << uint(findMSB(texels))) >> fan.coarse_shade;

@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
-// Table of many lights: up to 1000 moving heads over a stage hung as tools/make_festival.py hangs it, the
-// geometry reduced to boxes.
+// Table of many lights (bench/private/many_lights.h): every ray, and as pictures that move are drawn where
+// there is not enough time.
 #include "base/interrupt.h"
 #include "bench/bench_views.h"
+#include "bench/private/many_lights.h"
 #include "render/haze/haze_pass.h"
 #include "shared/push.h"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
+#include <ctime>
 #include <limits>
 
 namespace ghost::app {
@@ -17,115 +20,20 @@ namespace {
 using Clock = std::chrono::steady_clock;
 using glm::vec3;
 
-constexpr std::size_t kMostLights = 1000;
 constexpr int kFewestFrames = 2; // frames measured of a slow row
 
-struct Place {
-    vec3 position_m{0};
-    bool stands = false; // on the floor, light goes up
+// What a picture that moves may do without.
+struct Saving {
+    const char* name;
+    bool coarse;             // light at half the size
+    std::uint32_t wide_step; // HazeQuality
 };
-
-void add_line(std::vector<Place>& places, const vec3& from_m, const vec3& to_m, int count, bool stands) {
-    for (int i = 0; i < count; ++i)
-        places.push_back(
-            {glm::mix(from_m, to_m, static_cast<float>(i) / static_cast<float>(count - 1)), stands});
-}
-
-// Ten trusses in double rows, floor rows, ladders, wings, delay towers, a grid beside the wall: 1000 places,
-// after tools/festival/layout.py.
-std::vector<Place> festival_places() {
-    std::vector<Place> places;
-    for (int line = 0; line < 10; ++line) {
-        const float share = static_cast<float>(line) / 9;
-        const float z = 11.0f - 2.9f * share;
-        for (const float side : {-0.22f, 0.22f}) {
-            const float y = 0.5f + 10.9f * share + side;
-            add_line(places, {-11.6f, y, z}, {11.6f, y, z}, 30, false);
-        }
-    }
-    for (const float y : {11.9f, 12.3f}) add_line(places, {-11.3f, y, 2}, {11.3f, y, 2}, 40, true);
-    add_line(places, {-13, -1.1f, 0.2f}, {13, -1.1f, 0.2f}, 50, true);
-    add_line(places, {-7, 12.5f, 8.1f}, {7, 12.5f, 8.1f}, 26, false);
-    for (const float side : {-1.0f, 1.0f}) {
-        for (const float y : {3.0f, 10.0f})
-            add_line(places, {side * 12.55f, y, 3.4f}, {side * 12.55f, y, 9.4f}, 12, false);
-        for (const float y : {0.4f, 0.8f})
-            add_line(places, {side * 14.6f, y, 9.3f}, {side * 20.4f, y, 9.3f}, 11, false);
-        add_line(places, {side * 5.4f, 0.6f, 2}, {side * 11.5f, 0.6f, 2}, 12, true);
-        add_line(places, {side * 6.8f, 8.6f, 2}, {side * 11.4f, 8.6f, 2}, 9, true);
-        for (const float z : {5.8f, 7.3f})
-            add_line(places, {side * 16, -43.1f, z}, {side * 16, -44.9f, z}, 4, false);
-        for (const float x : {7.9f, 9.2f, 10.5f})
-            add_line(places, {side * x, 12.4f, 2.9f}, {side * x, 12.4f, 8.2f}, 9, false);
-    }
-    while (places.size() < kMostLights) // what is left hangs over the apron
-        places.push_back({{-11.0f + 0.55f * static_cast<float>(places.size() % 41), -0.6f, 11.2f}, false});
-    places.resize(kMostLights);
-    return places;
-}
-
-scene::Stage festival_stage() {
-    scene::Stage stage = empty_stage();
-    add_box(stage, {-60, -70, -0.2f}, {60, 40, 0});                // ground
-    add_box(stage, {-12, 0, 0}, {12, 14, 1.8f});                   // deck
-    add_box(stage, {-7, 12.9f, 2.6f}, {7, 13.2f, 7.6f});           // LED wall
-    add_box(stage, {-13, 14, 1.8f}, {13, 14.1f, 13});              // cloth
-    add_box(stage, {-13.6f, -0.5f, 13.4f}, {13.6f, 14.5f, 13.6f}); // roof
-    for (int line = 0; line < 10; ++line) {
-        const float share = static_cast<float>(line) / 9;
-        const float y = 0.5f + 10.9f * share, z = 11.3f - 2.9f * share;
-        for (const float low : {0.0f, 0.3f})
-            for (const float side : {-0.15f, 0.15f})
-                add_box(stage, {-12, y + side - 0.03f, z + low}, {12, y + side + 0.03f, z + low + 0.06f});
-    }
-    for (const float side : {-1.0f, 1.0f}) {
-        for (const float y : {0.0f, 14.0f})
-            add_box(stage, {side * 13.4f - 0.3f, y - 0.3f, 0}, {side * 13.4f + 0.3f, y + 0.3f, 13.4f});
-        add_box(stage, {side * 17.5f - 0.7f, -0.2f, 4}, {side * 17.5f + 0.7f, 1.4f, 9}); // line array
-        add_box(stage, {side * 16 - 0.3f, -44.3f, 0}, {side * 16 + 0.3f, -43.7f, 9});    // delay tower
-    }
-    for (int k = 0; k < 24; ++k) { // band, risers and wedges
-        const float x = -9.0f + 3.6f * static_cast<float>(k % 6);
-        const float y = 1.5f + 2.6f * static_cast<float>(k / 6);
-        add_box(stage, {x - 0.4f, y - 0.3f, 1.8f},
-                {x + 0.4f, y + 0.3f, 2.3f + 0.3f * static_cast<float>(k % 4)});
-        add_ball(stage, {x, y, 3.6f}, 0.2f);
-    }
-    for (int k = 0; k < 400; ++k) { // crowd
-        const float x = -14.0f + 0.72f * static_cast<float>(k % 40) + 0.3f * static_cast<float>(k / 40 % 2);
-        const float y = -3.0f - 1.4f * static_cast<float>(k / 40);
-        add_box(stage, {x - 0.2f, y - 0.15f, 0},
-                {x + 0.2f, y + 0.15f, 1.5f + 0.05f * static_cast<float>(k % 7)});
-    }
-    return stage;
-}
-
-// Three spots to one wash; every other spot has a gobo. All heads turn.
-shared::Light festival_light(std::size_t index, const Place& place, double seconds) {
-    const auto phase = static_cast<float>(seconds * 0.9 + 0.37 * static_cast<double>(index));
-    const float up = place.stands ? 1.0f : -1.0f;
-    const vec3 way(0.7f * std::sin(phase), -0.45f + 0.5f * std::cos(0.7f * phase), up);
-    const bool wash = index % 4 == 3;
-    shared::Light light = aimed_light(place.position_m, place.position_m + way, wash ? 28.0f : 11.0f, !wash);
-    light.intensity_cd *= 0.5f + 0.5f * vec3(std::sin(phase), std::sin(phase + 2), std::sin(phase + 4));
-    if (!wash && index % 2 == 0) {
-        light.wheel[light.wheel_count++] = {1, 0, 0.0f, std::cos(2 * phase), std::sin(2 * phase), 0.0f};
-        light.haze_samples = 10;
-    }
-    light.map = static_cast<std::uint32_t>(index + 1);
-    return light;
-}
-
-// Of the 1000 places evenly so many.
-std::vector<shared::Light> festival_lights(const std::vector<Place>& places, std::size_t count,
-                                           double seconds) {
-    std::vector<shared::Light> lights;
-    for (std::size_t i = 0; i < count; ++i) {
-        const std::size_t index = count == 1 ? 15 : i * places.size() / count;
-        lights.push_back(festival_light(index, places[index], seconds));
-    }
-    return lights;
-}
+constexpr Saving kAll{"", false, 1};
+constexpr Saving kSavings[] = {{", every second ray", false, 2},
+                               {", light at half", true, 1},
+                               {", light at half, every second ray", true, 2}};
+constexpr int kSavingFromWidth = 1920; // smaller pictures need none
+constexpr std::array<std::size_t, 3> kSavingLights{60, 400, 1000};
 
 struct Measured {
     double ms = 0;
@@ -133,6 +41,8 @@ struct Measured {
     double haze_tiles = 0, surface_tiles = 0;             // of the last frame
     double spans_ms = 0;                                  // all of them
     double dispatches = 0, barriers = 0, submissions = 0; // of the last frame
+    double processor_ms = 0;
+    image::ImageF picture; // of the first moment
     std::vector<std::pair<std::string, double>> passes;
 };
 
@@ -141,19 +51,23 @@ Measured measure_frames(const gpu::Device& device, render::Relighter& relighter,
                         const std::vector<Place>& places, std::size_t count, int frames, double seconds) {
     const std::vector<std::string> names{"cull",     "fan", "gate",    "visibility",
                                          "surfaces", "add", "develop", "read back"};
-    std::vector<double> ms;
+    std::vector<double> ms, processor_ms;
     std::vector<std::vector<double>> passes(names.size());
     std::vector<double> spans;
     double haze_tiles = 0, surface_tiles = 0;
     gpu::RecordedWork before;
     const Clock::time_point start = Clock::now();
     relighter.draw(festival_lights(places, count, 0));
+    image::ImageF picture = relighter.frame();
     while (static_cast<int>(ms.size()) < frames) {
         const double spent = std::chrono::duration<double>(Clock::now() - start).count();
         if (static_cast<int>(ms.size()) >= kFewestFrames && spent > seconds) break;
         before = device.work();
-        const render::FrameStatistics drawn =
-            relighter.draw(festival_lights(places, count, 0.1 * static_cast<double>(ms.size() + 1)));
+        const std::vector<shared::Light> lights =
+            festival_lights(places, count, 0.1 * static_cast<double>(ms.size() + 1));
+        const std::clock_t begin = std::clock();
+        const render::FrameStatistics drawn = relighter.draw(lights);
+        processor_ms.push_back(1e3 * static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC);
         ms.push_back(drawn.draw_ms);
         haze_tiles = drawn.haze_tiles;
         surface_tiles = drawn.surface_tiles;
@@ -163,7 +77,9 @@ Measured measure_frames(const gpu::Device& device, render::Relighter& relighter,
         const bool whole = !drawn.spans.empty() && drawn.spans.back().name == "read back";
         for (std::size_t k = 0; k < names.size(); ++k) {
             double sum = span_ms(drawn, names[k]);
-            if (names[k] == "add") sum += span_ms(drawn, "clear") + span_ms(drawn, "fold");
+            if (names[k] == "gate") sum += span_ms(drawn, "lonely") + span_ms(drawn, "spread");
+            if (names[k] == "add")
+                sum += span_ms(drawn, "clear") + span_ms(drawn, "fold") + span_ms(drawn, "light spread");
             if (names[k] == "develop") sum += span_ms(drawn, "meter");
             passes[k].push_back(whole ? sum : std::numeric_limits<double>::quiet_NaN());
         }
@@ -177,6 +93,8 @@ Measured measure_frames(const gpu::Device& device, render::Relighter& relighter,
                       static_cast<double>(work.dispatches - before.dispatches),
                       static_cast<double>(work.barriers - before.barriers),
                       static_cast<double>(work.submissions - before.submissions),
+                      median(processor_ms),
+                      std::move(picture),
                       {}};
     for (std::size_t k = 0; k < names.size(); ++k) {
         const std::string key = names[k] == "read back" ? "read_back" : names[k];
@@ -209,6 +127,62 @@ double fan_bytes(const gpu::Device& device, const render::Settings& settings, st
     return static_cast<double>(haze.memory_bytes());
 }
 
+// A picture size, and what its rows share.
+struct Views {
+    const gpu::Device& device;
+    const render::GBuffer& g_buffer;
+    const render::DistanceImages& distances;
+    const std::vector<Place>& places;
+    const shared::Gobos& gobos;
+    double map_bytes; // of a light
+};
+
+render::Settings settings_of(const Saving& saving) {
+    render::Settings settings = bench_settings();
+    settings.image_memory_bytes = 0; // every light changes in every frame: nothing to keep
+    settings.coarse = saving.coarse;
+    settings.beams.most_wide_step = saving.wide_step;
+    return settings;
+}
+
+struct ScaleRow {
+    BenchRow row;
+    double ms = 0;
+    double other_bytes = 0; // on the device, but for maps
+    image::ImageF picture;
+};
+
+ScaleRow measure(const Views& views, const BenchOptions& options, const std::string& name, std::size_t count,
+            const Saving& saving) {
+    const render::Settings settings = settings_of(saving);
+    render::Relighter relighter(views.device, views.g_buffer, &views.distances, views.gobos,
+                                static_cast<int>(count), settings);
+    render::HazeQuality quality;
+    quality.wide_beam_step = saving.wide_step;
+    relighter.set_quality(quality);
+    Measured measured = measure_frames(views.device, relighter, views.places, count,
+                                       std::min(options.frames, 20), std::min(options.row_seconds, 3.0));
+    const double lights = static_cast<double>(count);
+    ScaleRow result{{"scale", name, {{"ms", measured.ms}}, std::to_string(measured.frames) + " frames"},
+               measured.ms,
+               // The table's lights share the maps of all 1000: a show of so many has as many maps.
+               static_cast<double>(relighter.memory_bytes()) -
+                   views.map_bytes * static_cast<double>(views.places.size()),
+               std::move(measured.picture)};
+    std::vector<std::pair<std::string, double>>& figures = result.row.figures;
+    figures.insert(figures.end(), measured.passes.begin(), measured.passes.end());
+    figures.insert(figures.end(), {{"device_ms", measured.spans_ms},
+                                   {"processor_ms", measured.processor_ms},
+                                   {"dispatches", measured.dispatches},
+                                   {"barriers", measured.barriers},
+                                   {"submissions", measured.submissions},
+                                   {"million_rays", measured.haze_tiles * shared::kTilePixels / 1e6},
+                                   {"million_points", measured.surface_tiles * shared::kTilePixels / 1e6},
+                                   {"ms_per_light", measured.ms / lights},
+                                   {"device_mb", (result.other_bytes + views.map_bytes * lights) / 1e6}});
+    return result;
+}
+
 } // namespace
 
 Result<void> bench_scale(const BenchOptions& options, const BenchSink& sink) {
@@ -223,8 +197,6 @@ Result<void> bench_scale(const BenchOptions& options, const BenchSink& sink) {
     Report report; // of a stage made in code: nothing to say
     const render::StageModel model(*device, stage, report);
     const shared::Gobos gobos = bench_gobos();
-    render::Settings settings = bench_settings();
-    settings.image_memory_bytes = 0; // every light changes in every frame: nothing to keep
     scene::Camera camera;
     camera.position_m = {0, -34, 5};
     camera.target_m = {0, 6, 6};
@@ -236,7 +208,8 @@ Result<void> bench_scale(const BenchOptions& options, const BenchSink& sink) {
         if (interrupted()) break;
         render::GBuffer g_buffer(*device, width, height);
         g_buffer.draw(model, {scene::camera_to_world(camera), camera.fov_y_deg, width, height},
-                      {vec3(0), settings.haze});
+                      {vec3(0), bench_settings().haze});
+        const Views views{*device, g_buffer, *distances, places, gobos, map_bytes};
         // By the sizes above, until this one has rows of its own.
         const double pixels = static_cast<double>(width) * height;
         light_ms *= last_pixels > 0 ? pixels / last_pixels : 0;
@@ -253,36 +226,30 @@ Result<void> bench_scale(const BenchOptions& options, const BenchSink& sink) {
                 sink({"scale", name, {{"expected_ms", expected_ms}}, "skipped: longer than --row-seconds"});
                 continue;
             }
-            render::Relighter relighter(*device, g_buffer, distances.get(), gobos, static_cast<int>(count),
-                                        settings);
-            const Measured measured =
-                measure_frames(*device, relighter, places, count, std::min(options.frames, 20),
-                               std::min(options.row_seconds, 3.0));
             const double lights = static_cast<double>(count);
-            if (count == 1) first_ms = measured.ms;
-            if (count > 1) light_ms = std::max(measured.ms - first_ms, 0.0) / (lights - 1);
-            // The table's lights share the maps of all 1000: a show of so many has as many maps.
-            const double other_bytes = static_cast<double>(relighter.memory_bytes()) -
-                                       map_bytes * static_cast<double>(places.size());
-            if (count == 1) first_bytes = other_bytes;
-            const double fans = fan_bytes(*device, settings, count, *distances) / lights;
-            BenchRow row{"scale", name, {{"ms", measured.ms}}, std::to_string(measured.frames) + " frames"};
-            row.figures.insert(row.figures.end(), measured.passes.begin(), measured.passes.end());
-            row.figures.insert(
-                row.figures.end(),
-                {{"device_ms", measured.spans_ms},
-                 {"dispatches", measured.dispatches},
-                 {"barriers", measured.barriers},
-                 {"submissions", measured.submissions},
-                 {"million_rays", measured.haze_tiles * shared::kTilePixels / 1e6},
-                 {"million_points", measured.surface_tiles * shared::kTilePixels / 1e6},
-                 {"ms_per_light", measured.ms / lights},
-                 {"device_mb", (other_bytes + map_bytes * lights) / 1e6},
-                 {"map_bytes_per_light", map_bytes},
+            ScaleRow all = measure(views, options, name, count, kAll);
+            if (count == 1) first_ms = all.ms;
+            if (count > 1) light_ms = std::max(all.ms - first_ms, 0.0) / (lights - 1);
+            if (count == 1) first_bytes = all.other_bytes;
+            const double fans = fan_bytes(*device, settings_of(kAll), count, *distances) / lights;
+            all.row.figures.insert(
+                all.row.figures.end(),
+                {{"map_bytes_per_light", map_bytes},
                  {"fan_bytes_per_light", fans},
-                 {"other_bytes_per_light", count > 1 ? (other_bytes - first_bytes) / (lights - 1)
+                 {"other_bytes_per_light", count > 1 ? (all.other_bytes - first_bytes) / (lights - 1)
                                                      : std::numeric_limits<double>::quiet_NaN()}});
-            sink(row);
+            sink(all.row);
+            const bool saves =
+                width >= kSavingFromWidth &&
+                std::find(kSavingLights.begin(), kSavingLights.end(), count) != kSavingLights.end();
+            for (const Saving& saving : kSavings) {
+                if (!saves) break;
+                if (interrupted()) return Error{"interrupted; the rows above are whole", ""};
+                ScaleRow less = measure(views, options, name + saving.name, count, saving);
+                less.row.figures.emplace_back("db", display_db(less.picture, all.picture));
+                less.row.note += "; dB against every ray";
+                sink(less.row);
+            }
         }
     }
     return {};

@@ -120,13 +120,14 @@ Result<void> monitor(const MonitorOptions& options, dmx::ReceiverOptions input) 
     std::optional<scene::Show> show;
     TRY_VOID(read_patch(options, input, report, show));
     std::optional<RdmDesk> rdm;
+    warn_of_silent_rdm(show && options.rdm, options.input);
     if (show && options.rdm) {
         rdm.emplace(input.artnet_offset, ui::RdmAccess::read);
         rdm->update(*show);
         rdm->listen(input);
         log_info("RDM: " + std::to_string(rdm->devices()) + " fixtures answer");
     }
-    input.slot_status = options.learn;
+    input.slot_status = options.learn || show; // of whom all dimmers are at 0
     TRY(const auto receiver, dmx::Receiver::start(input));
     for (const std::string& warning : receiver->warnings()) log_warning(warning);
     if (options.learn) log_info("leave the faders alone for two seconds: what moves by itself is left out");

@@ -47,6 +47,7 @@ Result<void> check_usage(OpenArguments& arguments) {
     arguments.engine.listens = arguments.window.takes_desk = !arguments.no_desk;
     arguments.engine.session.quiet = arguments.quiet;
     if (arguments.sound != "off") arguments.engine.sound = arguments.sound;
+    warn_of_silent_rdm(arguments.window.rdm != ui::RdmAccess::off, arguments.input);
     if (arguments.no_desk && arguments.window.rdm != ui::RdmAccess::off)
         return Error{"RDM comes by the network, too", "--no-desk/--rdm"};
     TRY_VOID(check_live_controls(arguments.engine.controls));

@@ -52,6 +52,7 @@ Result<void> check_usage(ServeArguments& arguments) {
     if (!arguments.engine.timecode.begin.empty() && arguments.engine.timecode.ltc.empty() &&
         arguments.no_desk)
         return Error{"the time code comes by the network, too", "--no-desk/--timecode"};
+    warn_of_silent_rdm(arguments.rdm, arguments.input);
     if (arguments.rdm && arguments.no_desk) return Error{"RDM comes by the network, too", "--no-desk/--rdm"};
     TRY(arguments.server, server_options(arguments.web));
     TRY(const glm::ivec2 size, size_from(arguments.size, {320, 180}, 3840));

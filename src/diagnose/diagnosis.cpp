@@ -54,6 +54,8 @@ const char* trouble_name(Trouble trouble) {
         return "preview";
     case Trouble::low_priority:
         return "low_priority";
+    case Trouble::bad_priorities:
+        return "bad_priorities";
     case Trouble::two_desks:
         return "two_desks";
     case Trouble::same_identity:
@@ -74,6 +76,8 @@ const char* trouble_name(Trouble trouble) {
         return "wrong_length";
     case Trouble::packets_lost:
         return "packets_lost";
+    case Trouble::two_timecodes:
+        return "two_timecodes";
     }
     return "?";
 }
@@ -96,7 +100,7 @@ std::vector<Sentence> diagnose(const dmx::Statistics& statistics, const PatchMap
     add_lost(statistics, patch, out);
     const std::size_t before = out.size();
     add_ignored(statistics, out);
-    add_ranks(statistics, out);
+    add_ranks(statistics, patch, out);
     add_numbering(statistics, out);
     add_sources(statistics, out);
     for (std::size_t i = before; i < out.size(); ++i) out[i].is_problem &= concerns(out[i], patch);

@@ -29,6 +29,7 @@ enum class Trouble {
     lost,            // the last source of a universe is gone
     preview,         // levels are marked for blind
     low_priority,    // another source ranks higher everywhere
+    bad_priorities,  // per address, that give up or do not hold what has levels
     two_desks,       // of equal priority, that differ
     same_identity,   // two senders that are one by their CID
     numbering,       // sequence numbers that do not count up: packets are dropped as late
@@ -39,6 +40,7 @@ enum class Trouble {
     wrong_group,    // levels by another universe's multicast group
     wrong_length,   // packets that declare more levels than come
     packets_lost,   // on the way, or in this machine
+    two_timecodes,  // that run at one time
 };
 const char* trouble_name(Trouble trouble); // "off_by_one"
 

@@ -9,20 +9,13 @@
 namespace ghost::scene::diagnosed {
 namespace {
 
-constexpr double kOften_hz = 3.0;   // a sender that starts anew steps back once
 constexpr double kStill_hz = 6.0;   // more looks than get through where a number stands still
-constexpr double kSharePart = 0.1;  // of the packets that step back, where two senders take turns
 constexpr double kMostlyLate = 4.0; // late ones for each in time; a network that brings all twice has one
 constexpr double kManyLate_hz = 10.0;
 
 bool is_mostly_late(const dmx::SourceStatus& source) {
     return source.late_hz >= kManyLate_hz && source.late_hz > kMostlyLate * source.rate_hz &&
            source.rate_hz < kStill_hz;
-}
-
-// Its numbers or ports jump back and forth, and its looks with them.
-bool is_two_in_one(const dmx::SourceStatus& source) {
-    return source.back_hz >= kOften_hz && source.back_hz >= kSharePart * source.rate_hz;
 }
 
 // "6454 and 40021"; "" of numbered packets.
@@ -46,14 +39,14 @@ void add_numbering(const dmx::Statistics& statistics, Sentences& out) {
         const std::string who = source_text(source);
         if (source.double_from)
             doubles[{who, dmx::address_text(*source.double_from)}].insert(source.universe);
+        else if (source.is_shared)
+            shared[{who, ports_text(source)}].insert(source.universe);
         else if (is_mostly_late(source)) {
             late[who].insert(source.universe);
             auto& [of_late, of_all] = rates_hz[who];
             of_late = std::max(of_late, source.late_hz);
             of_all = std::max(of_all, source.late_hz + source.rate_hz);
-        } else if (is_two_in_one(source))
-            shared[{who, ports_text(source)}].insert(source.universe);
-        else if (source.has_gaps)
+        } else if (source.has_gaps)
             gaps[who].insert(source.universe);
     }
     for (const auto& [who, universes] : doubles)
@@ -65,17 +58,20 @@ void add_numbering(const dmx::Statistics& statistics, Sentences& out) {
                                   "its own",
                               universes));
     for (const auto& [who, universes] : shared)
-        out.push_back(
-            problem(Trouble::same_identity,
-                    (who.second.empty() ? "numbers of the packets of " + who.first +
-                                              " jump back and forth, or come twice with other levels, on " +
-                                              universes_text(universes)
-                                        : "the packets of " + who.first + " on " + universes_text(universes) +
-                                              " come by turns from the ports " + who.second) +
-                        ": two programs send there as one, and now the look of this shows, now of "
-                        "that. Close one, or give it an identity of its own (sACN: a CID, Art-Net: "
-                        "an address)",
-                    universes));
+        out.push_back(problem(
+            Trouble::same_identity,
+            (who.second.empty()
+                 ? "packets of " + who.first + " on " + universes_text(universes) +
+                       " come in two rows of numbers, or one of them without any, with "
+                       "different levels: two programs send there as one, or one that gives two packets "
+                       "one number (a base and an effect)"
+                 : "the packets of " + who.first + " on " + universes_text(universes) +
+                       " come by turns from the ports " + who.second +
+                       " with different levels: two programs send there as one, or "
+                       "one by two sockets") +
+                ". Now the look of this shows, now of that. Of two, close one, or give it an "
+                "identity of its own (sACN: a CID, Art-Net: an address)",
+            universes));
     for (const auto& [who, universes] : gaps)
         out.push_back(note(Trouble::numbering,
                            "most packets of " + who + " on " + universes_text(universes) +

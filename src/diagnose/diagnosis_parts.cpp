@@ -14,7 +14,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr auto kSyncIsLate = 1s; // frames come many times a second
+constexpr auto kSyncIsLate = dmx::kSacnSyncLoss; // frames may come a second and more apart
 constexpr std::size_t kMostRanges = 8;
 
 bool is_ours(const dmx::NetInterface& one, const dmx::Listening& listening) {

@@ -75,7 +75,8 @@ void add_patch(const dmx::Statistics& statistics, const Arriving& arriving, cons
                Sentences& out);
 void add_lost(const dmx::Statistics& statistics, const PatchMap& patch, Sentences& out);
 void add_ignored(const dmx::Statistics& statistics, Sentences& out);
-void add_ranks(const dmx::Statistics& statistics, Sentences& out);     // priorities and merges
+// Priorities and merges.
+void add_ranks(const dmx::Statistics& statistics, const PatchMap& patch, Sentences& out);
 void add_numbering(const dmx::Statistics& statistics, Sentences& out); // sequence numbers and CIDs
 void add_sources(const dmx::Statistics& statistics, Sentences& out);
 // "400 bad_priority" of late, where these are more than anybody's; else "".

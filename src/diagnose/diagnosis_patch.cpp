@@ -11,6 +11,11 @@
 namespace ghost::scene::diagnosed {
 namespace {
 
+// Universes say nothing of whose they are.
+constexpr const char* kOrAnother =
+    ". If that is another system's (another hall, somebody's list), this show's desk is silent or does not "
+    "get here: its output, the network, a firewall on UDP 5568 and 6454";
+
 // Universes that the patch and the network have one beside the other.
 struct Shift {
     int by = 0; // universes of the patch = those that arrive + this
@@ -48,8 +53,10 @@ std::string shift_text(const Shift& shift, const dmx::Statistics& statistics, co
         text += " by " + listed->second.who;
     text += ", fixtures are on " + universes_text(numbers_of(patch)) + ": ";
     if (shift.protocol == dmx::Protocol::artnet)
-        return text + "--artnet-offset " + std::to_string(offset + shift.by) + " brings them together";
-    return text + "move the desk's output or the show's patch by one";
+        text += "--artnet-offset " + std::to_string(offset + shift.by) + " brings them together";
+    else
+        text += "move the desk's output or the show's patch by one";
+    return text + kOrAnother;
 }
 
 // Net, Sub-Net and Universe of a Port-Address.
@@ -146,7 +153,8 @@ void add_patch(const dmx::Statistics& statistics, const Arriving& arriving, cons
     }
     for (const auto& [universe, from] : arriving.universes)
         if (!patch.has(universe) && !explained_arriving.contains(universe)) elsewhere.insert(universe);
-    if (!missing.empty() && !arriving.nothing())
+    // Where nothing at all arrives add_silence says so, unless it is clear what becomes of some.
+    if (!missing.empty() && (!arriving.nothing() || !explained_patch.empty()))
         out.push_back(problem(
             Trouble::not_received,
             count_text(fixtures, "fixture") + " on " + universes_text(missing) + " ('" + one_line(first) +
@@ -170,7 +178,8 @@ void add_patch(const dmx::Statistics& statistics, const Arriving& arriving, cons
     const std::string wants = wanted.empty() ? "" : "; the show wants " + universes_text(wanted);
     if (!only_announced.empty())
         out.push_back(problem(Trouble::not_patched,
-                              arriving.announced_text(only_announced) + ", nothing is patched there" + wants,
+                              arriving.announced_text(only_announced) + ", nothing is patched there" + wants +
+                                  kOrAnother,
                               missing));
     if (elsewhere.empty()) return;
     std::string who = arriving.universes.at(*elsewhere.begin());
@@ -182,17 +191,21 @@ void add_patch(const dmx::Statistics& statistics, const Arriving& arriving, cons
     if (const auto artnet = arriving.by_protocol.find(dmx::Protocol::artnet);
         artnet != arriving.by_protocol.end())
         text += swapped_text(artnet->second, missing, statistics.listening.artnet_offset);
+    if (!wanted.empty()) text += kOrAnother;
     out.push_back(wanted.empty() ? note(Trouble::not_patched, text)
                                  : problem(Trouble::not_patched, text, wanted));
 }
 
 void add_lost(const dmx::Statistics& statistics, const PatchMap& patch, Sentences& out) {
     const std::string unreadable = unreadable_text(statistics);
-    for (const bool black : {false, true}) {
+    constexpr std::pair<bool, bool> kKinds[] = {{false, false}, {true, false}, {false, true}, {true, true}};
+    for (const auto& [black, ended] : kKinds) {
         std::set<int> universes;
         std::chrono::nanoseconds longest{0};
         for (const dmx::LostUniverse& one : statistics.lost) {
-            if (one.black != black || (!patch.universes().empty() && !patch.has(one.universe))) continue;
+            if (one.black != black || one.ended != ended ||
+                (!patch.universes().empty() && !patch.has(one.universe)))
+                continue;
             if (is_blind(statistics, one.universe)) continue; // add_ignored says so
             universes.insert(one.universe);
             longest = std::max(longest, one.since);
@@ -205,6 +218,8 @@ void add_lost(const dmx::Statistics& statistics, const PatchMap& patch, Sentence
             "nothing comes for " + universes_text(universes) + " any more, since " + seconds_text(longest) +
                 ": " + (black ? "black (--on-loss)" : "the last look is held") +
                 (bare                 ? ". Packets still come, without levels" + empty_text(statistics, patch)
+                 : ended              ? ". Its desk said that it ends this stream: its output was switched "
+                                        "off, or its program closed"
                  : unreadable.empty() ? ". Its desk has stopped, or something on the way lets nothing "
                                         "through any more: a cable, a firewall, or a switch that prunes "
                                         "multicast after minutes (IGMP snooping without a querier)"

@@ -148,6 +148,21 @@ std::string joined_ports(const dmx::Statistics& statistics, bool sacn, bool artn
     return text;
 }
 
+// Who sends Art-Net to those alone that answer its polls, and gets no answer.
+std::string polls_text(const dmx::Statistics& statistics) {
+    const dmx::RecentLoss& recent = statistics.recent;
+    if (!statistics.listening.artnet || recent.polls == 0) return "";
+    if (!statistics.listening.answers_polls)
+        return ". Somebody asks who wants Art-Net (ArtPoll) and gets no answer (--no-poll-reply): OLA and "
+               "some "
+               "desks send to those alone that answer";
+    return recent.polls_refused < recent.polls
+               ? ""
+               : ". Somebody asks who wants Art-Net (ArtPoll) and gets no answer, for it asks from another "
+                 "network, too often or with too many others: OLA and some desks send to those alone that "
+                 "answer";
+}
+
 void add_nothing(const dmx::Statistics& statistics, const Arriving& arriving, const PatchMap& patch,
                  Sentences& out) {
     const dmx::Listening& listening = statistics.listening;
@@ -176,6 +191,7 @@ void add_nothing(const dmx::Statistics& statistics, const Arriving& arriving, co
                                       : "and is no firewall on UDP " + ports + " in the way") +
                        "? We listen on " + addresses_text(statistics) + empty_text(statistics, patch);
     if (listening.wider > 0) text += ", also for " + count_text(listening.wider, "universe") + " around";
+    text += polls_text(statistics);
     if (!listening.sacn || !listening.artnet)
         text +=
             ". " + std::string(listening.sacn ? "Art-Net" : "sACN") + " is not listened for (--protocols)";
@@ -231,13 +247,16 @@ void add_silence(const dmx::Statistics& statistics, const Arriving& arriving, co
         const bool sacn = sockets->protocol == dmx::Protocol::sacn;
         if (all_fed || arriving.by(sockets->protocol)) continue;
         const std::string who = dmx::program_text(user);
-        out.push_back(problem(Trouble::port_shared,
-                              "the port " + std::to_string(user.port) + " of " +
-                                  dmx::protocol_name(sockets->protocol) + " is taken by " + who +
-                                  ", too: of two programs only the one started last gets a desk's unicast. "
-                                  "Close the other one, or start again with --interface and an address of "
-                                  "this machine"));
-        if (sacn && user.program != "ghostlight")
+        const bool other_is_ours = user.program == "ghostlight"; // a monitor beside explain, mostly
+        out.push_back((other_is_ours ? note : problem)(
+            Trouble::port_shared,
+            "the port " + std::to_string(user.port) + " of " + dmx::protocol_name(sockets->protocol) +
+                " is taken by " + who +
+                ", too: of two programs only the one started last gets a desk's unicast. "
+                "Close the other one, or start again with --interface and an address of "
+                "this machine",
+            {}));
+        if (sacn && !other_is_ours)
             out.push_back(problem(Trouble::same_host,
                                   who +
                                       " runs on this machine: if it is the desk, its multicast does not come "

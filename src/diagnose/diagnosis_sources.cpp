@@ -10,18 +10,53 @@
 namespace ghost::scene::diagnosed {
 namespace {
 
+using Sources = std::vector<const dmx::SourceStatus*>;
+
+// Of two that have one name and address also what tells them apart.
+std::string apart_text(const dmx::SourceStatus& source, const Sources& all) {
+    const std::string text = source_text(source);
+    const bool alone = std::none_of(all.begin(), all.end(), [&](const dmx::SourceStatus* other) {
+        return other != &source && source_text(*other) == text;
+    });
+    if (alone) return text;
+    if (source.protocol == dmx::Protocol::artnet) return source_text("", source.id, source.protocol);
+    return source_text(source.name, dmx::place_text(source) + ", CID " + source.id, source.protocol);
+}
+
+// ". 10.0.0.2 sends by both protocols: ..", where one machine is several sources; else "".
+std::string one_machine_text(const Sources& all) {
+    const auto with = [&](const dmx::SourceStatus& one, bool same_protocol) {
+        return std::any_of(all.begin(), all.end(), [&](const dmx::SourceStatus* other) {
+            return other != &one && other->from == one.from && one.protocol == dmx::Protocol::artnet &&
+                   (other->protocol == one.protocol) == same_protocol;
+        });
+    };
+    for (const dmx::SourceStatus* one : all) {
+        const std::string place = one_line(dmx::place_text(*one));
+        if (with(*one, true))
+            return ". " + place +
+                   " names more than one Physical (input): it has several, or it changes what it names, and "
+                   "each counts as a source";
+        if (with(*one, false))
+            return ". " + place + " sends by sACN and by Art-Net: if that is one desk, one of them will do";
+    }
+    return "";
+}
+
 // "; there 10.0.0.7 (silent for 4 s) and 10.0.0.8 have the places of Art-Net, .."; "" where fewer do.
 std::string artnet_holders_text(const dmx::Statistics& statistics, int universe) {
     std::string text;
     std::size_t count = 0;
+    Sources holders;
     for (const dmx::SourceStatus& source : statistics.sources) {
         if (source.universe != universe || source.protocol != dmx::Protocol::artnet) continue;
+        holders.push_back(&source);
         text += (count++ > 0 ? " and " : "") + one_line(source.id);
         if (source.age >= kSilent) text += " (silent for " + seconds_text(source.age) + ")";
     }
     if (count < dmx::kMaxArtnetSources) return "";
     return "; there " + text + " have the places of Art-Net, and one that is silent for " +
-           seconds_text(dmx::kArtnetLoss) + " makes room";
+           seconds_text(dmx::kArtnetLoss) + " makes room" + one_machine_text(holders);
 }
 
 std::string joined(const std::set<std::string>& names) {
@@ -88,15 +123,45 @@ void add_low_priority(const dmx::Statistics& statistics, Sentences& out) {
                            universes));
 }
 
+// Lists of priorities per address that give up what the source sends levels for.
+void add_priorities(const dmx::Statistics& statistics, const PatchMap& patch, Sentences& out) {
+    for (const dmx::SourceStatus& source : statistics.sources) {
+        if (!source.per_address_priority || source.state != dmx::SourceState::live) continue;
+        const std::string on = " on universe " + std::to_string(source.universe);
+        if (source.bad_priorities > 0)
+            out.push_back(problem(Trouble::bad_priorities,
+                                  source_text(source) + " sends priorities per address above 200" + on +
+                                      " for " + count_text(source.bad_priorities, "channel") +
+                                      ": there is none above 200 (E1.31), and these channels are not shown",
+                                  {source.universe}));
+        const bool reads_past = !patch.readers_past(source.universe, source.priority_count).empty();
+        if (source.priority_count < source.slot_count && reads_past)
+            out.push_back(note(Trouble::bad_priorities,
+                               source_text(source) + " sends " + count_text(source.slot_count, "level") + on +
+                                   " and priorities per address for " +
+                                   std::to_string(source.priority_count) +
+                                   " alone: it gives the others up, and fixtures are patched there",
+                               {source.universe}));
+    }
+}
+
+// Every dimmer that is patched on its universe is at 0, not all that it sends.
+bool dimmers_are_down(const dmx::SourceStatus& source, const PatchMap& patch) {
+    const std::vector<int> dimmers = patch.dimmers(source.universe);
+    return source.slots && !dimmers.empty() && std::all_of(dimmers.begin(), dimmers.end(), [&](int address) {
+               return source.slots->levels[static_cast<std::size_t>(address - 1)] == 0;
+           });
+}
+
 // "'A' (10.0.0.2) with 512 slots at 44 Hz"
-std::string sends_text(const dmx::SourceStatus& source) {
-    return source_text(source) + " with " + count_text(source.slot_count, "slot") + " at " +
+std::string sends_text(const dmx::SourceStatus& source, const Sources& all) {
+    return apart_text(source, all) + " with " + count_text(source.slot_count, "slot") + " at " +
            std::to_string(std::lround(source.rate_hz)) + " Hz";
 }
 
 // Two that have the same say. What they send may be the same (a backup), or not (two that fight).
-void add_two_desks(const dmx::Statistics& statistics, Sentences& out) {
-    std::map<int, std::vector<const dmx::SourceStatus*>> by_universe;
+void add_two_desks(const dmx::Statistics& statistics, const PatchMap& patch, Sentences& out) {
+    std::map<int, Sources> by_universe;
     for (const dmx::SourceStatus& source : statistics.sources)
         if (source.state == dmx::SourceState::live && source.slots_held > 0)
             by_universe[source.universe].push_back(&source);
@@ -106,12 +171,15 @@ void add_two_desks(const dmx::Statistics& statistics, Sentences& out) {
         bool contested = false; // channels that more than one sends above 0
         std::string merge;
         std::set<std::string> dark; // who sends nothing above 0
+        std::set<std::string> down; // whose dimmers are at 0, and others' are not
+        std::string hint;
     };
     std::map<std::string, Fight> fights; // by who
     for (const auto& [universe, sources] : by_universe) {
         std::size_t differ = 0, meet = 0;
         bool all_artnet = true, contested = false;
-        std::set<std::string> who, dark;
+        std::set<std::string> who, dark, down;
+        std::size_t all_down = 0;
         std::set<int> ranks; // of those that do not have their way: whom they meet has the same
         for (const dmx::SourceStatus* source : sources)
             if (source->slots_overruled > 0) ranks.insert(source->highest_priority);
@@ -120,8 +188,12 @@ void add_two_desks(const dmx::Statistics& statistics, Sentences& out) {
             differ = std::max(differ, source->slots_overruled);
             contested |= source->slots_contested > 0;
             all_artnet &= source->protocol == dmx::Protocol::artnet;
-            who.insert(sends_text(*source));
-            if (source->is_dark) dark.insert(source_text(*source));
+            who.insert(sends_text(*source, sources));
+            if (source->is_dark)
+                dark.insert(apart_text(*source, sources));
+            else if (dimmers_are_down(*source, patch))
+                down.insert(apart_text(*source, sources));
+            all_down += source->is_dark || dimmers_are_down(*source, patch) ? 1 : 0;
             ++meet;
         }
         if (differ == 0 || meet < 2) continue;
@@ -130,6 +202,8 @@ void add_two_desks(const dmx::Statistics& statistics, Sentences& out) {
         fight.channels = std::max(fight.channels, differ);
         fight.contested |= contested;
         fight.dark.insert(dark.begin(), dark.end());
+        if (all_down < meet) fight.down.insert(down.begin(), down.end());
+        fight.hint = one_machine_text(sources);
         fight.merge = all_artnet && statistics.listening.artnet_ltp
                           ? "whoever changed a channel last has it (LTP, --artnet-merge)"
                           : "of each channel the higher level shows (HTP)";
@@ -139,10 +213,13 @@ void add_two_desks(const dmx::Statistics& statistics, Sentences& out) {
             universes_text(fight.universes) + (fight.universes.size() == 1 ? " comes" : " come") +
             " from more than one source of equal priority, " + who + ", and they differ on up to " +
             count_text(fight.channels, "channel") + ": " + fight.merge +
-            (fight.contested ? ". Switch one off, or give one that is a backup a lower priority"
+            (fight.contested       ? ". Switch one off, or give one that is a backup a lower priority"
+             : !fight.down.empty() ? ". " + *fight.down.begin() +
+                                         " has all dimmers at 0: if that is a black-out, the others hide it"
              : !fight.dark.empty()
                  ? ". " + *fight.dark.begin() + " sends 0 alone: if that is a black-out, the others hide it"
-                 : ". None of these is above 0 at two of them, so they may be meant to share");
+                 : ". None of these is above 0 at two of them, so they may be meant to share") +
+            fight.hint;
         out.push_back(fight.contested ? problem(Trouble::two_desks, text, fight.universes)
                                       : note(Trouble::two_desks, text, fight.universes));
     }
@@ -185,10 +262,31 @@ void add_ignored(const dmx::Statistics& statistics, Sentences& out) {
                 " that are shown at once; those of the show and of --universes are always among them"));
 }
 
-void add_ranks(const dmx::Statistics& statistics, Sentences& out) {
+void add_ranks(const dmx::Statistics& statistics, const PatchMap& patch, Sentences& out) {
     add_low_priority(statistics, out);
-    add_two_desks(statistics, out);
+    add_priorities(statistics, patch, out);
+    add_two_desks(statistics, patch, out);
 }
+
+namespace {
+
+// Whoever follows them jumps from one to the other.
+void add_timecodes(const dmx::Statistics& statistics, Sentences& out) {
+    const auto runs = [&](const std::optional<dmx::TimeCodeStatus>& one) {
+        return one && statistics.time - one->arrival < kSilent;
+    };
+    if (!runs(statistics.timecode) || !runs(statistics.other_timecode)) return;
+    const auto text = [](const dmx::TimeCodeStatus& one) {
+        return dmx::address_text(one.from) + " (stream " + std::to_string(one.time.stream) + ")";
+    };
+    // By which came first in the alphabet, so that the sentence stands still.
+    std::set<std::string> both = {text(*statistics.timecode), text(*statistics.other_timecode)};
+    out.push_back(
+        note(Trouble::two_timecodes, "two Art-Net time codes run, of " + joined(both) +
+                                         ": what follows the time code jumps from one to the other"));
+}
+
+} // namespace
 
 void add_sources(const dmx::Statistics& statistics, Sentences& out) {
     std::map<std::string, std::set<int>> waiting, foreign, astray, cut;
@@ -225,6 +323,7 @@ void add_sources(const dmx::Statistics& statistics, Sentences& out) {
                            who + " declares more levels on " + universes_text(universes) +
                                " than its packets hold, or than 512; those that come are used",
                            universes));
+    add_timecodes(statistics, out);
     if (statistics.recent.overflow > 0)
         out.push_back(
             problem(Trouble::packets_lost,

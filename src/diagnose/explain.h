@@ -73,6 +73,7 @@ struct Reception {
     double listened_s = 0;
     std::vector<dmx::SourceStatus> sources; // with slots
     std::uint64_t packets = 0, preview = 0, unlisted = 0, not_understood = 0;
+    bool artnet_ltp = false;         // of two Art-Net sources the one that changed a slot last has it
     std::vector<Sentence> diagnosis; // of a desk: what is wrong between it and the patch
 };
 Reception reception_of(const dmx::Statistics& statistics, const PatchMap& patch, double listened_s);
@@ -83,6 +84,7 @@ struct UniverseFacts {
     bool lost = false;
     bool black = false;       // lost, and its look was taken away
     int slot_count = 0;       // that it comes with
+    int most_slots = 0;       // in some packets of late
     double age_s = 0;         // of the newest packet or frame
     double first_frame_s = 0; // of a recording; below 0: it has none
     struct Sender {

@@ -21,6 +21,11 @@ std::string ranked_text(const dmx::SourceStatus& source, std::size_t slot) {
            (source.per_address_priority ? " for this address" : "") + ")";
 }
 
+// Whether both take part in the merge: what is marked preview is shown instead of the live look, not with it.
+bool meet(const dmx::SourceStatus& one, const dmx::SourceStatus& other) {
+    return one.universe == other.universe && one.preview == other.preview && one.slots && other.slots;
+}
+
 // A slot of the fixture where a source does not have its way.
 struct Beaten {
     std::size_t slot = 0;
@@ -37,8 +42,7 @@ std::vector<Beaten> slots_lost(const ExplainInput& input, const Explanation& exp
             const auto slot = static_cast<std::size_t>(place.channel - 1);
             const dmx::SourceStatus* holder = nullptr;
             for (const dmx::SourceStatus& other : input.reception.sources)
-                if (other.universe == loser.universe && other.slots &&
-                    (!holder || other.slots->rank[slot] > holder->slots->rank[slot]))
+                if (meet(loser, other) && (!holder || other.slots->rank[slot] > holder->slots->rank[slot]))
                     holder = &other;
             if (slot >= loser.slot_count || !holder) continue;
             const int best = holder->slots->rank[slot];
@@ -48,6 +52,13 @@ std::vector<Beaten> slots_lost(const ExplainInput& input, const Explanation& exp
                 lost.push_back({slot, holder, &channel});
         }
     return lost;
+}
+
+// Why a source with priorities per address does not hold a slot.
+std::string given_up_text(const dmx::SourceStatus& source, std::size_t slot) {
+    if (slot >= source.priority_count) return "its list of priorities per address ends before that channel";
+    if (source.bad_priorities > 0) return "its priority per address there is 0, or above 200, which is none";
+    return "says by its priority per address that the channel is not its own";
 }
 
 // Whether the fixture would shine had this source its way.
@@ -96,10 +107,9 @@ void add_overrides(const ExplainInput& input, const fixture::Patch& patch, const
         if (!shown->holder) {
             findings.push_back({Cause::overridden,
                                 blocks,
-                                sender_text(loser) + "0 for this address) sends " + level(loser) + " on " +
-                                    place_text(*shown->channel) +
-                                    " but says by its priority per address that the channel is not its own; "
-                                    "nobody holds it",
+                                sender_text(loser) + "none for this address) sends " + level(loser) + " on " +
+                                    place_text(*shown->channel) + " but " +
+                                    given_up_text(loser, shown->slot) + "; nobody holds it",
                                 "nobody holds their channels",
                                 {}});
             continue;
@@ -128,8 +138,7 @@ void add_two_desks(const ExplainInput& input, const fixture::Patch& patch, const
                 const auto slot = static_cast<std::size_t>(place.channel - 1);
                 const int rank = one.slots->rank[slot];
                 for (const dmx::SourceStatus& other : input.reception.sources)
-                    if (&other != &one && other.universe == one.universe && other.slots && rank > 0 &&
-                        other.slots->rank[slot] == rank &&
+                    if (&other != &one && meet(one, other) && rank > 0 && other.slots->rank[slot] == rank &&
                         other.slots->levels[slot] != one.slots->levels[slot] &&
                         other.slots->levels[slot] == input.universes.level(one.universe, place.channel)) {
                         lost.push_back({slot, &other, &channel});
@@ -145,12 +154,15 @@ void add_two_desks(const ExplainInput& input, const fixture::Patch& patch, const
         const auto level = [&](const dmx::SourceStatus& source) {
             return std::to_string(source.slots->levels[shown->slot]);
         };
+        const bool is_latest = input.reception.artnet_ltp && one.protocol == dmx::Protocol::artnet &&
+                               shown->holder->protocol == dmx::Protocol::artnet;
         findings.push_back({Cause::two_desks,
                             blocks,
                             ranked_text(one, shown->slot) + " and " +
                                 ranked_text(*shown->holder, shown->slot) + " have the same say: on " +
                                 place_text(*shown->channel) + " they send " + level(one) + " and " +
                                 level(*shown->holder) + ", and " + level(*shown->holder) + " shows" +
+                                (is_latest ? ", for it changed last (LTP)" : "") +
                                 (blocks ? "; the first alone would light it" : ""),
                             "two sources of equal priority send different things",
                             {}});

@@ -77,6 +77,7 @@ Json universe_json(const UniverseFacts& facts) {
     return {{"universe", facts.universe},
             {"received", facts.received},
             {"lost", facts.lost},
+            {"black", facts.black},
             {"age_s", facts.received ? rounded(facts.age_s) : Json(nullptr)},
             {"first_frame_s", facts.first_frame_s >= 0 ? rounded(facts.first_frame_s) : Json(nullptr)},
             {"senders", std::move(senders)}};

@@ -100,6 +100,15 @@ bool uses(const Explanation& explanation, const Reason* direct, int universe) {
     return false;
 }
 
+// "22 channels (512 in some packets)"
+std::string slots_text(const UniverseFacts& facts) {
+    const std::string text =
+        std::to_string(facts.slot_count) + (facts.slot_count == 1 ? " channel" : " channels");
+    return facts.most_slots > facts.slot_count
+               ? text + " (" + std::to_string(facts.most_slots) + " in some packets)"
+               : text;
+}
+
 std::string so(const Reason* direct) {
     return direct ? ", and " + direct->text : "";
 }
@@ -117,6 +126,7 @@ Reception reception_of(const dmx::Statistics& statistics, const PatchMap& patch,
     reception.packets = statistics.packets_sacn + statistics.packets_artnet;
     reception.preview = statistics.merge.preview;
     reception.unlisted = statistics.unlisted;
+    reception.artnet_ltp = statistics.listening.artnet_ltp;
     for (const std::uint64_t count : statistics.drops) reception.not_understood += count;
     reception.diagnosis = diagnose(statistics, patch);
     return reception;
@@ -145,12 +155,13 @@ std::vector<UniverseFacts> universe_facts(const ExplainInput& input,
             facts.received = true;
             facts.lost = found->lost;
             facts.black = found->black;
-            facts.slot_count = found->slot_count;
+            facts.slot_count = facts.most_slots = found->slot_count;
             facts.age_s = input.now_s - std::chrono::duration<double>(found->arrival).count();
         }
         for (const dmx::SourceStatus& source : input.reception.sources) {
             if (source.universe != number_of) continue;
             UniverseFacts::Sender sender;
+            facts.most_slots = std::max<int>(facts.most_slots, source.most_slots);
             sender.protocol = dmx::protocol_name(source.protocol);
             sender.name = source.protocol == dmx::Protocol::artnet ? source.id : source.name;
             sender.from = dmx::place_text(source);
@@ -227,8 +238,7 @@ std::vector<Reason> causes_in_network(const ExplainInput& input, const fixture::
             findings.push_back({Cause::not_sent,
                                 past.blocks,
                                 "universe " + std::to_string(facts.universe) + " comes with " +
-                                    std::to_string(facts.slot_count) + " channels, and " +
-                                    std::to_string(past.count) +
+                                    slots_text(facts) + ", and " + std::to_string(past.count) +
                                     " of the fixture lie past these (is it patched on the desk?)" +
                                     (past.blocks ? so(direct) : ""),
                                 name + " comes with fewer channels",

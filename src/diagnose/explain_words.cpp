@@ -72,6 +72,21 @@ std::string universe_text(const UniverseFacts& facts, const Reception& reception
     return text + (senders.empty() ? "" : " from " + joined(senders, "; and from "));
 }
 
+// What is wrong with the network of the fixture's universes, but what the verdict says already.
+std::string network_lines(const Explanation& explanation, const Reception& reception) {
+    std::string text;
+    for (const Sentence& sentence : reception.diagnosis) {
+        const bool ours = sentence.universes.empty() ||
+                          std::any_of(explanation.universes.begin(), explanation.universes.end(),
+                                      [&](const UniverseFacts& facts) {
+                                          return sentence.universes.contains(facts.universe);
+                                      });
+        if (sentence.is_problem && ours && explanation.verdict.find(sentence.text) == std::string::npos)
+            text += row("network", sentence.text);
+    }
+    return text;
+}
+
 std::string patch_text(const Explanation& explanation) {
     std::string text;
     for (std::size_t b = 0; b < explanation.footprint.size(); ++b) {
@@ -244,7 +259,7 @@ std::string words_of(const Explanation& explanation, const Reception& reception)
         }
         text += row(finding.blocks ? "also" : "note", finding.text);
     }
-    text += row("DMX", input_text(reception));
+    text += row("DMX", input_text(reception)) + network_lines(explanation, reception);
     if (!explanation.type.empty()) {
         for (std::size_t i = 0; i < explanation.universes.size(); ++i)
             text += row(i == 0 ? "universe" : "", universe_text(explanation.universes[i], reception));

@@ -24,19 +24,29 @@ std::string byte_text(const fixture::Channel& channel, std::size_t byte) {
            ")";
 }
 
-// What each byte of a break is called.
-std::vector<std::string> names_of(const fixture::Mode& mode, std::size_t part) {
-    std::vector<std::string> names;
-    for (int i = 0; i < mode.footprint[part]; ++i) names.push_back("channel " + std::to_string(i + 1));
+bool dims(const fixture::Channel& channel) {
+    return std::any_of(channel.functions.begin(), channel.functions.end(),
+                       [](const auto& function) { return function.meaning.role == fixture::Role::dimmer; });
+}
+
+struct Byte {
+    std::string name;
+    bool dims = false;
+};
+
+// What each byte of a break is.
+std::vector<Byte> bytes_of(const fixture::Mode& mode, std::size_t part) {
+    std::vector<Byte> bytes;
+    for (int i = 0; i < mode.footprint[part]; ++i) bytes.push_back({"channel " + std::to_string(i + 1)});
     for (const fixture::Channel& channel : mode.channels) {
         if (channel.dmx_break != static_cast<int>(part) + 1) continue;
         for (std::size_t byte = 0; byte < channel.offsets.size(); ++byte) {
             const int offset = channel.offsets[byte];
             if (offset >= 0 && offset < mode.footprint[part])
-                names[static_cast<std::size_t>(offset)] = byte_text(channel, byte);
+                bytes[static_cast<std::size_t>(offset)] = {byte_text(channel, byte), dims(channel)};
         }
     }
-    return names;
+    return bytes;
 }
 
 } // namespace
@@ -48,9 +58,10 @@ PatchMap::PatchMap(const Show& show) {
         const std::size_t count = show.fixtures.size();
         return index < count ? show.fixtures[index].name : show.movers[index - count].name;
     };
-    const auto add = [&](std::pair<int, int> place, std::size_t index, const std::string& channel) {
+    const auto add = [&](std::pair<int, int> place, std::size_t index, const std::string& channel,
+                         bool dims = false) {
         if (place.first < 1 || place.first > dmx::kMaxUniverse) return;
-        slots_.emplace(place, PatchedSlot{index, name_of(index), channel});
+        slots_.emplace(place, PatchedSlot{index, name_of(index), channel, dims});
         fixtures[place.first].insert(index);
     };
     for (std::size_t i = 0; i < show.fixtures.size(); ++i) {
@@ -64,9 +75,10 @@ PatchMap::PatchMap(const Show& show) {
         const fixture::Mode& mode = patch.mode_of();
         for (std::size_t part = 0; part < std::min(patch.addresses.size(), mode.footprint.size()); ++part) {
             if (patch.addresses[part].channel < 1) continue;
-            const std::vector<std::string> names = names_of(mode, part);
-            for (std::size_t byte = 0; byte < names.size(); ++byte)
-                add(place_of(patch.addresses[part], static_cast<int>(byte)), i, names[byte]);
+            const std::vector<Byte> bytes = bytes_of(mode, part);
+            for (std::size_t byte = 0; byte < bytes.size(); ++byte)
+                add(place_of(patch.addresses[part], static_cast<int>(byte)), i, bytes[byte].name,
+                    bytes[byte].dims);
         }
     }
     for (std::size_t m = 0; m < show.movers.size(); ++m)
@@ -89,6 +101,15 @@ std::vector<std::uint16_t> PatchMap::universe_numbers() const {
 bool PatchMap::has(int universe) const {
     return std::any_of(universes_.begin(), universes_.end(),
                        [&](const PatchedUniverse& one) { return one.universe == universe; });
+}
+
+std::vector<int> PatchMap::dimmers(int universe) const {
+    std::vector<int> result;
+    const auto last = slots_.upper_bound({universe, kSlots});
+    for (auto slot = slots_.lower_bound({universe, 1}); slot != last; ++slot)
+        if (slot->second.dims && (result.empty() || result.back() != slot->first.second))
+            result.push_back(slot->first.second);
+    return result;
 }
 
 std::vector<const PatchedSlot*> PatchMap::at(int universe, int address) const {

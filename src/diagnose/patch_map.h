@@ -19,6 +19,7 @@ struct PatchedSlot {
     std::size_t fixture = 0; // of the show; movers come after the fixtures
     std::string fixture_name;
     std::string channel; // "Head_Dimmer (2 of 2)", "channel 7" where the mode says nothing of it
+    bool dims = false;   // a byte of a dimmer
 };
 
 struct PatchedUniverse {
@@ -35,6 +36,8 @@ public:
     const std::vector<PatchedUniverse>& universes() const { return universes_; } // sorted
     std::vector<std::uint16_t> universe_numbers() const;
     bool has(int universe) const;
+    // Addresses that dimmers of fixtures read. Sorted.
+    std::vector<int> dimmers(int universe) const;
     // Everyone who reads the slot; several may share an address.
     std::vector<const PatchedSlot*> at(int universe, int address) const;
     // Names of those who read slots of the universe past this address and none before, in the show's order.

@@ -23,9 +23,11 @@ void put_word(Data& out, int value) {
     out.push_back(static_cast<std::uint8_t>(value));
 }
 
+// Names of ours are UTF-8: none ends in the middle of a letter.
 void put_text(Data& out, const std::string& text) {
-    out.insert(out.end(), text.begin(),
-               text.begin() + static_cast<std::ptrdiff_t>(std::min(text.size(), kMaxLabelBytes)));
+    std::size_t end = std::min(text.size(), kMaxLabelBytes);
+    while (end > 0 && end < text.size() && (static_cast<unsigned char>(text[end]) & 0xC0) == 0x80) --end;
+    out.insert(out.end(), text.begin(), text.begin() + static_cast<std::ptrdiff_t>(end));
 }
 
 Data text(const std::string& value) {

@@ -262,7 +262,10 @@ void Xchange::Loop::answer(Connection& connection, const Message& message) {
         result.text = text;
         connection.peer->say(result);
     };
-    if (message.type == "MVR_JOIN") {
+    if (message.type == "MVR_JOIN" && message.station_uuid.empty()) {
+        reply(false, "MVR_JOIN without a StationUUID");
+        tell(XchangeEvent::Kind::trouble, connection.name, "wants to join without a StationUUID");
+    } else if (message.type == "MVR_JOIN") {
         reply(true, "");
         tell(XchangeEvent::Kind::joined, connection.name, "joined us");
         note_commits(message, connection);
@@ -288,6 +291,9 @@ void Xchange::Loop::answer(Connection& connection, const Message& message) {
     } else if (message.type == "MVR_LEAVE") {
         reply(true, "");
         tell(XchangeEvent::Kind::left, connection.name, "left the group");
+    } else if (message.type == "MVR_COMMIT" && message.commits.front().file_uuid.empty()) {
+        reply(false, "MVR_COMMIT without a FileUUID");
+        tell(XchangeEvent::Kind::trouble, connection.name, "offers a file without a FileUUID");
     } else if (message.type == "MVR_COMMIT") {
         reply(true, "");
         note_commits(message, connection);

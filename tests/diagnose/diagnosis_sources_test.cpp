@@ -79,19 +79,20 @@ TEST(diagnosis, TwoSendersThatAreOneByTheirIdentity) {
     expect_words(network.text(Trouble::same_identity),
                  {"'Desk' (192.168.1.7)", "one at 192.168.1.8", "universe 1", "CID"});
     desk.double_from.reset();
-    desk.back_hz = 1;
-    EXPECT_EQ(network.troubles(), Troubles{}) << "it was started anew";
-    desk.back_hz = 20;
+    EXPECT_EQ(network.troubles(), Troubles{});
+    desk.is_shared = true;
     EXPECT_EQ(network.troubles(), Troubles{Trouble::same_identity});
-    expect_words(network.text(Trouble::same_identity), {"'Desk' (192.168.1.7)", "back and forth"});
+    expect_words(network.text(Trouble::same_identity), {"'Desk' (192.168.1.7)", "two rows of numbers",
+                                                        "two programs", "gives two packets one number"});
     desk.port = 6454;
     desk.other_port = 40021;
     expect_words(network.text(Trouble::same_identity),
-                 {"by turns from the ports 6454 and 40021", "two programs"});
+                 {"by turns from the ports 6454 and 40021", "two programs", "one by two sockets"});
     desk.late_hz = 44;
     desk.rate_hz = 0.4;
-    EXPECT_EQ(network.troubles(), Troubles{Trouble::numbering})
-        << "one number that stands still, other levels";
+    EXPECT_EQ(network.troubles(), Troubles{Trouble::same_identity}) << "most of the second's are late";
+    desk.is_shared = false;
+    EXPECT_EQ(network.troubles(), Troubles{Trouble::numbering});
 }
 
 TEST(diagnosis, PacketsWithoutLevels) {
@@ -171,6 +172,75 @@ TEST(diagnosis, ABlackOutThatAnotherDeskHides) {
     expect_words(network.text(Trouble::two_desks), {"'FOH' (192.168.1.7) sends 0 alone", "black-out"});
     desk.is_dark = false;
     expect_words(network.text(Trouble::two_desks), {"meant to share"});
+    // The dimmer of its fixture, at address 10, is at 0, its colours stay.
+    dmx::SourceSlots slots;
+    slots.levels[10] = 200;
+    desk.slots = std::make_shared<const dmx::SourceSlots>(slots);
+    slots.levels[9] = 255;
+    network.statistics.sources[1].slots = std::make_shared<const dmx::SourceSlots>(slots);
+    expect_words(network.text(Trouble::two_desks), {"'FOH' (192.168.1.7) has all dimmers at 0", "black-out"});
+    network.statistics.sources[1].slots = desk.slots;
+    expect_words(network.text(Trouble::two_desks), {"meant to share"});
+}
+
+TEST(diagnosis, TwoOfOneNameAndAddressAreToldApart) {
+    Network network({1});
+    network.sends({1, 1});
+    dmx::SourceStatus& other = network.statistics.sources[1];
+    other.id[1] = '2';
+    other.slots_overruled = other.slots_contested = 3;
+    expect_words(network.text(Trouble::two_desks),
+                 {"'Desk' (192.168.1.7, CID 01000000", "'Desk' (192.168.1.7, CID 02000000"});
+    for (dmx::SourceStatus& one : network.statistics.sources) {
+        one.protocol = dmx::Protocol::artnet;
+        one.name = "";
+        one.id = "192.168.1.7";
+    }
+    other.id = "192.168.1.7/1";
+    expect_words(network.text(Trouble::two_desks),
+                 {"192.168.1.7 (Art-Net) with", "192.168.1.7/1 (Art-Net) with",
+                  "192.168.1.7 names more than one Physical"});
+    network.statistics.sources[0] = source(1, dmx::Protocol::sacn);
+    other.id = "192.168.1.7";
+    expect_words(network.text(Trouble::two_desks), {"192.168.1.7 sends by sACN and by Art-Net"});
+}
+
+TEST(diagnosis, PrioritiesPerAddressThatGiveLevelsUp) {
+    Network network({1});
+    network.sends({1});
+    dmx::SourceStatus& desk = network.statistics.sources[0];
+    desk.per_address_priority = true;
+    desk.priority_count = 512;
+    EXPECT_EQ(network.troubles(), Troubles{});
+    desk.bad_priorities = 512;
+    ASSERT_EQ(network.troubles(), Troubles{Trouble::bad_priorities});
+    EXPECT_TRUE(network.sentences()[0].is_problem);
+    expect_words(network.text(Trouble::bad_priorities),
+                 {"'Desk' (192.168.1.7)", "above 200 on universe 1 for 512 channels"});
+    desk.bad_priorities = 0;
+    desk.priority_count = 9; // the fixture begins at 10
+    ASSERT_EQ(network.troubles(), Troubles{Trouble::bad_priorities});
+    EXPECT_FALSE(network.sentences()[0].is_problem);
+    expect_words(network.text(Trouble::bad_priorities), {"512 levels", "for 9 alone", "gives the others up"});
+    desk.priority_count = 12;
+    EXPECT_EQ(network.troubles(), Troubles{});
+}
+
+TEST(diagnosis, TwoTimeCodes) {
+    Network network({1});
+    network.sends({1});
+    dmx::TimeCodeStatus one, other;
+    one.from = dmx::IpAddress(0xC0A80107);
+    other.from = dmx::IpAddress(0xC0A80108);
+    one.arrival = other.arrival = network.statistics.time - 40ms;
+    network.statistics.timecode = one;
+    EXPECT_EQ(network.troubles(), Troubles{});
+    network.statistics.other_timecode = other;
+    ASSERT_EQ(network.troubles(), Troubles{Trouble::two_timecodes});
+    expect_words(network.text(Trouble::two_timecodes),
+                 {"192.168.1.7 (stream 0) and 192.168.1.8 (stream 0)", "jumps"});
+    network.statistics.other_timecode->arrival -= 5s;
+    EXPECT_EQ(network.troubles(), Troubles{}) << "it came before";
 }
 
 TEST(diagnosis, NumbersThatDoNotCountUp) {
@@ -267,6 +337,8 @@ TEST(diagnosis, LevelsThatWaitForASynchronisationThatStopped) {
     sync.age = 20ms;
     network.statistics.sync = {sync};
     EXPECT_EQ(network.troubles(), Troubles{}) << "between two frames";
+    network.statistics.sync[0].age = 1500ms;
+    EXPECT_EQ(network.troubles(), Troubles{}) << "of a desk at rest";
     network.statistics.sync[0].age = 3s;
     EXPECT_EQ(network.troubles(), Troubles{Trouble::waits_for_sync});
 }

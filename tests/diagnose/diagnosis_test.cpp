@@ -81,6 +81,23 @@ TEST(diagnosis, MulticastOfThisVeryMachine) {
     EXPECT_EQ(same.troubles(), Troubles{}) << "all fixtures are fed";
     same.patch = PatchMap(show_on({1, 5}));
     EXPECT_EQ(same.troubles(), (Troubles{Trouble::port_shared, Trouble::same_host, Trouble::not_received}));
+    Network ours({1});
+    ours.statistics.port_users = {{dmx::IpAddress(0u), 5568, 12, "ghostlight"}};
+    ASSERT_EQ(ours.troubles(), (Troubles{Trouble::nothing_arrives, Trouble::port_shared}));
+    EXPECT_FALSE(ours.sentences()[1].is_problem) << "a monitor beside explain";
+}
+
+TEST(diagnosis, PollsThatNobodyAnswers) {
+    Network network({1});
+    network.statistics.recent.polls = 3;
+    EXPECT_EQ(network.text(Trouble::nothing_arrives).find("ArtPoll"), std::string::npos);
+    network.statistics.recent.polls_refused = 3;
+    expect_words(network.text(Trouble::nothing_arrives), {"ArtPoll", "asks from another network"});
+    network.statistics.listening.answers_polls = false;
+    network.statistics.recent.polls_refused = 0;
+    expect_words(network.text(Trouble::nothing_arrives), {"ArtPoll", "(--no-poll-reply)"});
+    network.statistics.listening.artnet = false;
+    EXPECT_EQ(network.text(Trouble::nothing_arrives).find("ArtPoll"), std::string::npos);
 }
 
 TEST(diagnosis, LinksThatAreNotThere) {
@@ -133,6 +150,18 @@ TEST(diagnosis, OffByOne) {
     EXPECT_EQ(sacn.troubles(), Troubles{Trouble::off_by_one});
     expect_words(sacn.text(Trouble::off_by_one), {"sACN", "by one"});
     EXPECT_EQ(sacn.text(Trouble::off_by_one).find("artnet"), std::string::npos);
+    expect_words(sacn.text(Trouble::off_by_one), {"another system's", "silent", "firewall"});
+    // What is only announced, and another universe of which nothing is known.
+    Network lists({5, 9});
+    dmx::DiscoveredSource list;
+    list.name = "Desk";
+    list.universes = std::make_shared<const std::vector<std::uint16_t>>(std::vector<std::uint16_t>{4});
+    lists.statistics.discovered = {list};
+    EXPECT_EQ(lists.troubles(), (Troubles{Trouble::off_by_one, Trouble::not_received}));
+    expect_words(lists.text(Trouble::not_received), {"universe 9"});
+    lists.patch = PatchMap(show_on({9}));
+    EXPECT_EQ(lists.troubles(), Troubles{Trouble::not_patched});
+    expect_words(lists.text(Trouble::not_patched), {"'Desk'", "another system's", "firewall on UDP"});
     Network shared({1});
     shared.sends({1}).sends({2}, dmx::Protocol::artnet);
     EXPECT_EQ(shared.troubles(), Troubles{Trouble::not_patched}) << "the Art-Net is somebody else's";
@@ -186,6 +215,9 @@ TEST(diagnosis, ALostUniverse) {
     EXPECT_EQ(network.troubles(), Troubles{Trouble::lost});
     expect_words(network.text(Trouble::lost),
                  {"universe 3 any more", "since 12 s", "last look is held", "a firewall"});
+    network.statistics.lost = {{3, false, 12s, true}};
+    expect_words(network.text(Trouble::lost), {"universe 3 any more", "said that it ends this stream"});
+    EXPECT_EQ(network.text(Trouble::lost).find("firewall"), std::string::npos);
     network.statistics.lost = {{3, true, 70s}};
     expect_words(network.text(Trouble::lost), {"black", "70 s"});
     Network all({3});

@@ -124,6 +124,9 @@ TEST(explain, UniverseWithFewerChannels) {
     expect(trial.explain(), Visibility::dark, Cause::not_sent,
            {"universe 1 comes with 4 channels, and 3 of the fixture lie past these",
             "the dimmer on channel 1 (1.5) is at 0"});
+    trial.reception.sources[0].most_slots = 512;
+    expect(trial.explain(), Visibility::dark, Cause::not_sent,
+           {"universe 1 comes with 4 channels (512 in some packets), and 3 of"});
     desks.merge.feed(desks.packet(1, 100, {0, 0, 0, 0, 255, 128}), 1s);
     desks.into(trial, 1s);
     const Explanation lit = trial.explain();
@@ -147,6 +150,52 @@ TEST(explain, TwoDesksOfEqualPriority) {
     alike.merge.feed(alike.packet(2, 100, {255, 0, 0, 0}), 1s);
     alike.into(trial, 1s);
     for (const Reason& reason : trial.explain().findings) EXPECT_NE(reason.cause, Cause::two_desks);
+}
+
+TEST(explain, OfTwoDesksTheOneThatChangedLast) {
+    Trial trial(type_of(kDimmer));
+    Desks desks;
+    desks.merge = dmx::Merge(dmx::MergeOptions{.slot_status = true, .artnet_ltp = true});
+    for (const auto& [desk, level] : {std::pair(1, 255), {2, 0}, {1, 254}, {2, 1}}) {
+        dmx::Packet packet = desks.packet(desk, 100, {level});
+        packet.protocol = packet.source.protocol = dmx::Protocol::artnet;
+        desks.merge.feed(packet, 1s);
+    }
+    desks.into(trial, 1s);
+    trial.reception.artnet_ltp = true;
+    expect(trial.explain(), Visibility::nearly_dark, Cause::two_desks,
+           {"they send 254 and 1, and 1 shows, for it changed last (LTP)"});
+}
+
+TEST(explain, PreviewIsShownInsteadOfTheLiveLookAndFightsNobody) {
+    Trial trial(type_of(kDimmer));
+    Desks desks;
+    desks.merge = dmx::Merge(dmx::MergeOptions{.show_preview = true, .slot_status = true});
+    desks.merge.feed(desks.packet(1, 100, {255}), 1s);
+    dmx::Packet blind = desks.packet(2, 100, {0});
+    blind.source.preview = true;
+    desks.merge.feed(blind, 1s);
+    desks.into(trial, 1s);
+    expect(trial.explain(), Visibility::dark, Cause::dimmer, {"channel 1 (1.1) is at 0"});
+    blind.priority = 150;
+    blind.sequence = static_cast<std::uint8_t>(blind.sequence + 1);
+    desks.merge.feed(blind, 1s);
+    desks.into(trial, 1s);
+    expect(trial.explain(), Visibility::dark, Cause::dimmer, {"channel 1 (1.1) is at 0"});
+}
+
+TEST(explain, WhatIsWrongWithTheNetworkIsSaidBesideTheVerdict) {
+    Trial trial(type_of(kDimmer));
+    Desks desks;
+    desks.merge.feed(desks.packet(1, 100, {0}), 1s);
+    desks.into(trial, 1s);
+    trial.reception.diagnosis = {{Trouble::same_identity, true, "two programs send as one", {1}},
+                                 {Trouble::low_priority, false, "a backup waits", {1}},
+                                 {Trouble::not_received, true, "no levels there", {7}}};
+    const std::string words = words_of(trial.explain(), trial.reception);
+    EXPECT_NE(words.find("network   two programs send as one\n"), std::string::npos) << words;
+    EXPECT_EQ(words.find("a backup waits"), std::string::npos);
+    EXPECT_EQ(words.find("no levels there"), std::string::npos);
 }
 
 TEST(explain, HigherPriorityOverrides) {
@@ -183,6 +232,18 @@ TEST(explain, PriorityPerAddressOverrides) {
     desks.into(trial, 1s);
     expect(trial.explain(), Visibility::dark, Cause::overridden,
            {"'Desk 1'", "sends 255 on channel 1 (1.1)", "priority per address", "nobody holds it"});
+    priorities = desks.packet(1, 100, {255});
+    priorities.start_code = 0xDD;
+    desks.merge.feed(priorities, 1s);
+    desks.into(trial, 1s);
+    expect(trial.explain(), Visibility::dark, Cause::overridden,
+           {"above 200, which is none", "nobody holds it"});
+    priorities = desks.packet(1, 100, {});
+    priorities.start_code = 0xDD;
+    desks.merge.feed(priorities, 1s);
+    desks.into(trial, 1s);
+    expect(trial.explain(), Visibility::dark, Cause::overridden,
+           {"ends before that channel", "nobody holds it"});
     desks.merge.feed(desks.packet(2, 10, {0}), 1s);
     desks.into(trial, 1s);
     expect(trial.explain(), Visibility::dark, Cause::overridden,

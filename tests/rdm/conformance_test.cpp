@@ -273,6 +273,9 @@ TEST(RdmConformance, labels_end_at_32_bytes) {
               0);
     EXPECT_EQ(responder.take(ask(Command::set, Pid::device_label), leave.wants()).message->port_or_answer, 0)
         << "an empty one is one";
+    device.label = std::string(31, 'x') + "\xC3\xBC"; // a letter of two bytes
+    Responder cut(device);
+    EXPECT_EQ(cut.take(ask(Command::get, Pid::device_label), leave.wants()).message->data, Data(31, 'x'));
 }
 
 // More than one message holds: the rest comes with the next GET (6.3.2).

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/options/live_options.h"
 
-#include "cli/options/input_options.h"
+#include "base/log.h"
 #include "cli/options/number_option.h"
 
 #include <algorithm>
@@ -39,6 +39,13 @@ CLI::Option* add_ltc_option(CLI::App& command, std::string& name) {
                     "time code that is a sound (LTC), instead of Art-Net's: an input of ALSA like default or "
                     "hw:1,0 (arecord -L lists them), or a sound file, which plays once")
         ->type_name("INPUT|FILE");
+}
+
+void warn_of_silent_rdm(bool answers_rdm, const InputOptions& input) {
+    if (answers_rdm && input.no_poll_reply)
+        log_warning(
+            "--rdm with --no-poll-reply: a desk that looks for nodes by ArtPoll does not find this one, "
+            "and asks it nothing by RDM");
 }
 
 void add_rdm_option(CLI::App& command, ui::RdmAccess& access) {

@@ -3,6 +3,7 @@
 // Options that several commands have, for what stands below them. What they fill must outlive the command.
 // Main thread.
 
+#include "cli/options/input_options.h"
 #include "farm/farm.h"
 #include "link/rdm.h"
 #include "live/engine/live_controls.h"
@@ -17,6 +18,8 @@ namespace ghost::app {
 CLI::Option* add_timecode_options(CLI::App& command, TimeCodeOptions& options, std::string& midi);
 // Adds --ltc. name must outlive command.
 CLI::Option* add_ltc_option(CLI::App& command, std::string& name);
+// RDM is asked for, and nobody will find us (--no-poll-reply): logs it.
+void warn_of_silent_rdm(bool answers_rdm, const InputOptions& input);
 // Adds --rdm. access must outlive command.
 void add_rdm_option(CLI::App& command, ui::RdmAccess& access);
 // Adds --osc and --psn. options must outlive command.

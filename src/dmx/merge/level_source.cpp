@@ -13,15 +13,7 @@ constexpr std::chrono::nanoseconds kRateWindow = std::chrono::seconds(1);
 constexpr double kEnoughPackets = 8;             // a desk at rest sends one a second
 constexpr double kMostGaps = 0.5;                // of its packets; a network that loses as many is hardly one
 constexpr std::chrono::seconds kMostSlotsFor{3}; // senders mix whole and short packets
-constexpr std::chrono::nanoseconds kDoubleForgotten =
-    std::chrono::seconds(3); // unchanged levels: one a second
-
-// Never 0.
-std::uint64_t look_of(const Levels& levels) {
-    std::uint64_t sum = 0x9E3779B97F4A7C15u;
-    for (const std::uint8_t level : levels) sum = (sum ^ level) * 0x100000001B3u; // FNV-1a
-    return sum | 1;
-}
+constexpr double kTwoRows = 2;                   // far steps back in a second; who begins anew takes one
 
 std::chrono::nanoseconds loss_after(Protocol protocol) {
     return protocol == Protocol::sacn ? kSacnLoss : protocol == Protocol::artnet ? kArtnetLoss : kUsbLoss;
@@ -73,70 +65,58 @@ bool LevelSource::same_way(const Packet& packet, std::chrono::nanoseconds now) {
     const bool same = packet.from == from_ && packet.interface_index == interface_index_;
     if (!same && now - last_way_ <= kWaySilence) {
         ++other_way_;
-        if (!is_copy(packet)) note_double(packet.from, now);
+        note_other_way(packet, now);
         return false;
     }
     if (!same) {
         from_ = packet.from;
         interface_index_ = packet.interface_index;
         sequence_.forget();
-        double_.reset();
-        looks_.reset();
+        other_.reset();
+        rows_.reset();
     }
     last_way_ = std::max(last_way_, now);
     return true;
 }
 
-// Who sends every packet by two ways numbers both alike and shows the same in both, however late the other
-// way is; with a row of numbers for each it shows the same at least while it stands still.
-bool LevelSource::is_copy(const Packet& packet) {
-    if (key_.protocol != Protocol::sacn || packet.start_code != 0)
-        return true; // Art-Net's key is its address
-    if (!looks_) looks_ = std::make_unique<Looks>();
-    looks_->from = packet.from;
-    const int ahead = sequence_.ahead(packet.sequence);
-    const auto count = static_cast<int>(looks_->here.size());
-    const std::uint64_t look = look_of(packet.slots);
-    const std::size_t place = packet.sequence % looks_->here.size();
-    if (ahead > 0 && ahead < count) {
-        looks_->there[place] = {look, packet.sequence}; // to be compared when it comes by the way that counts
-        return true;
+// A desk with two network cards or two protocols sends the same by both, numbered alike or not. Of several
+// other ways one is compared after the other.
+void LevelSource::note_other_way(const Packet& packet, std::chrono::nanoseconds now) {
+    if (key_.protocol != Protocol::sacn || packet.start_code != 0) return; // Art-Net's key is its address
+    const bool same =
+        other_ && other_->from == packet.from && other_->interface_index == packet.interface_index;
+    if (!same) {
+        if (other_ && (!other_->pair.concluded() || other_->pair.differ(now))) return;
+        other_ = std::make_unique<OtherWay>();
+        other_->from = packet.from;
+        other_->interface_index = packet.interface_index;
+        other_->pair.restart(now);
     }
-    if (ahead > -count && ahead <= 0) {
-        const Look& here = looks_->here[place];
-        return here.look == 0 || here.number != packet.sequence || here.look == look;
-    }
-    return !has_levels_ || packet.slots == levels_;
+    other_->pair.add(1, packet.slots, now);
 }
 
-// Levels that are accepted, by what they show.
-void LevelSource::note_look(const Packet& packet, std::chrono::nanoseconds now) {
-    // Without numbers, ports: the same two by turns. There are senders that take a new one for each packet.
-    bool steps_back = sequence_.stepped_back();
-    if (sequence_.is_unused() && packet.from_port < port_) {
-        steps_back = packet.from_port == lower_port_ && port_ == higher_port_;
-        lower_port_ = packet.from_port;
-        higher_port_ = port_;
-    }
-    port_ = packet.from_port;
-    if (!looks_ && !steps_back && look_back_ == 0) return; // the rule: nobody asks
-    const std::uint64_t look = look_of(packet.slots);
-    // Two that take turns: this look, that one, and this again.
-    window_.back += steps_back && look == look_back_ && look != look_ ? 1 : 0;
-    if (steps_back) look_back_ = look;
-    look_ = look;
-    if (!looks_) return;
-    const std::size_t place = packet.sequence % looks_->here.size();
-    looks_->here[place] = {look, packet.sequence};
-    const Look there = std::exchange(looks_->there[place], Look{});
-    if (there.look != 0 && there.number == packet.sequence && there.look != look)
-        note_double(looks_->from, now);
+// Unnumbered packets that come by the port before the last one again, or between numbered ones. There are
+// senders that take a new port for each packet.
+bool LevelSource::turns_back(const Packet& packet) {
+    const bool numbered = packet.sequence != 0;
+    const bool by_port =
+        !numbered && packet.from_port != port_ && packet.from_port == port_before_ && port_before_ != 0;
+    if (packet.from_port != port_) port_before_ = std::exchange(port_, packet.from_port);
+    return std::exchange(numbered_, numbered) != numbered || by_port;
 }
 
-void LevelSource::note_double(const IpAddress& from, std::chrono::nanoseconds now) {
-    if (!double_ || now - double_->last > kDoubleForgotten) double_ = Double{from, now, now};
-    double_->from = from;
-    double_->last = now;
+// The rule is that nothing is odd, and nothing is compared.
+void LevelSource::note_rows(const Packet& packet, bool odd, std::chrono::nanoseconds now) {
+    if (packet.start_code != 0) return;
+    if (odd) {
+        odd_at_ = now;
+        if (!rows_) rows_ = std::make_unique<SharedRows>();
+    }
+    if (!rows_) return;
+    if (now - odd_at_ > kDoubleForgotten)
+        rows_.reset();
+    else
+        rows_->add(packet, now);
 }
 
 // Whether so many can have been sent since the newest: who begins anew begins with another number.
@@ -151,19 +131,22 @@ bool LevelSource::may_be_lost(unsigned missed, std::chrono::nanoseconds now) con
 // and not remembered.
 std::optional<unsigned> LevelSource::in_sequence(const Packet& packet, std::chrono::nanoseconds now) {
     if (packet.protocol == Protocol::usb) return 0; // a cable keeps the order
-    if (packet.protocol == Protocol::artnet && packet.sequence == 0) return 0;
+    const bool turned = packet.protocol == Protocol::artnet && turns_back(packet);
+    if (packet.protocol == Protocol::artnet && packet.sequence == 0) {
+        note_rows(packet, turned, now);
+        return 0;
+    }
     const std::optional<unsigned> missed = sequence_.accept(packet.sequence);
+    note_rows(packet, turned || !missed || sequence_.stepped_back(), now);
     if (missed) {
         missed_ += *missed;
         window_.missed += may_be_lost(*missed, now) ? *missed : 0;
         window_.odd += *missed > 0 || sequence_.stepped_back() ? 1 : 0;
+        window_.back += sequence_.stepped_back() ? 1 : 0;
     } else {
         ++out_of_sequence_;
         ++window_.late;
         window_.swapped += sequence_.swapped() ? 1 : 0;
-        // One number, two looks.
-        const bool again = newest_is_levels_ && !held_levels_ && sequence_.is_newest(packet.sequence);
-        window_.back += again && packet.start_code == 0 && packet.slots != levels_ ? 1 : 0;
     }
     return missed;
 }
@@ -176,7 +159,6 @@ void LevelSource::keep(const Packet& packet, bool hold, std::uint32_t stamp, std
     sync_universe_ = packet.sync_universe;
     force_sync_ = packet.force_sync;
     const bool priorities = packet.start_code == 0xDD;
-    newest_is_levels_ = !priorities;
     const Held held{packet.slots, packet.slot_count, packet.priority, stamp};
     if (priorities) {
         last_priorities_ = std::max(last_priorities_, now);
@@ -184,7 +166,7 @@ void LevelSource::keep(const Packet& packet, bool hold, std::uint32_t stamp, std
         joined_ = true;                                                // nothing better is to come
     } else {
         if (packets_ > 0) measure_jitter(now - last_levels_);
-        note_look(packet, now);
+        if (other_) other_->pair.add(0, packet.slots, now);
         last_levels_ = std::max(last_levels_, now);
         ++packets_;
         ++window_.packets;
@@ -200,6 +182,7 @@ void LevelSource::keep(const Packet& packet, bool hold, std::uint32_t stamp, std
         held_priorities_.reset();
         per_address_ = true;
         slot_priority_ = held.slots; // fewer than 512 values: the rest is 0, "not ours"
+        priority_count_ = held.slot_count;
     } else {
         held_levels_.reset();
         show(held);
@@ -224,6 +207,7 @@ bool LevelSource::release() {
     if (held_priorities_) {
         per_address_ = true;
         slot_priority_ = held_priorities_->slots;
+        priority_count_ = held_priorities_->slot_count;
         held_priorities_.reset();
     }
     if (held_levels_) {
@@ -252,10 +236,13 @@ void LevelSource::measure_rate(std::chrono::nanoseconds now) {
     if (window < kRateWindow) return;
     const double window_s = std::chrono::duration<double>(window).count();
     if (window_.packets >= kEnoughPackets) has_gaps_ = window_.odd > kMostGaps * window_.packets;
-    const bool two_rows = window_.back > 0; // of two senders
-    if (!has_gaps_ && !two_rows && window_.missed > window_.swapped)
-        lost_ += static_cast<std::uint64_t>(window_.missed - window_.swapped);
-    rates_hz_ = {window_.packets / window_s, window_.late / window_s, window_.back / window_s};
+    // What two senders in one row of numbers seem to miss is not lost; what is not known yet waits.
+    const bool two = window_.back >= kTwoRows || (rows_ && rows_->are_two(now));
+    if (!has_gaps_ && !two && window_.missed > window_.swapped)
+        pending_lost_ += static_cast<std::uint64_t>(window_.missed - window_.swapped);
+    if (two) pending_lost_ = 0;
+    if (!rows_ || !rows_->undecided()) lost_ += std::exchange(pending_lost_, 0);
+    rates_hz_ = {.packets = window_.packets / window_s, .late = window_.late / window_s};
     window_ = {};
     window_start_ = now;
     samples_[1] = samples_[0];
@@ -301,6 +288,11 @@ SourceStatus LevelSource::status(std::uint16_t universe, bool with_slots,
     status.priority = priority_;
     status.per_address_priority = per_address_;
     status.highest_priority = priority();
+    status.priority_count = per_address_ ? priority_count_ : 0;
+    status.bad_priorities = static_cast<std::uint16_t>(
+        per_address_ ? std::count_if(slot_priority_.begin(), slot_priority_.end(),
+                                     [](std::uint8_t one) { return one > kMaxPriority; })
+                     : 0);
     status.slot_count = slot_count_;
     status.most_slots = most_slots_;
     status.is_dark =
@@ -315,12 +307,13 @@ SourceStatus LevelSource::status(std::uint16_t universe, bool with_slots,
     status.rate_hz = young ? window_.packets / window_s : rates_hz_.packets;
     status.late_hz = young ? window_.late / window_s : rates_hz_.late;
     status.has_gaps = has_gaps_;
-    status.back_hz = young ? window_.back / window_s : rates_hz_.back;
-    status.port = lower_port_;
-    status.other_port = higher_port_;
-    // One that came to another address, or its way back, is heard in one place at a time.
-    if (double_ && last_way_ > double_->first && now - double_->last <= kDoubleForgotten)
-        status.double_from = double_->from;
+    if (rows_ && rows_->are_two(now)) {
+        status.is_shared = true;
+        const auto [lower, higher] = rows_->ports();
+        status.port = lower;
+        status.other_port = higher;
+    }
+    if (other_ && other_->pair.differ(now)) status.double_from = other_->from;
     status.jitter_ms = jitter_ms_;
     status.age = now - last_levels_;
     if (with_slots) {

@@ -5,6 +5,7 @@
 // ours reach, brings every packet twice: the way it first came by counts, until that is silent for
 // kWaySilence. No clock.
 
+#include "dmx/merge/doubles.h"
 #include "dmx/merge/source_status.h"
 #include "dmx/wire/packet.h"
 #include "dmx/wire/sequence.h"
@@ -87,9 +88,9 @@ private:
     void show(const Held& levels);
     void measure_jitter(std::chrono::nanoseconds interval);
     bool may_be_lost(unsigned missed, std::chrono::nanoseconds now) const;
-    bool is_copy(const Packet& packet);
-    void note_double(const IpAddress& from, std::chrono::nanoseconds now);
-    void note_look(const Packet& packet, std::chrono::nanoseconds now);
+    void note_other_way(const Packet& packet, std::chrono::nanoseconds now);
+    bool turns_back(const Packet& packet);
+    void note_rows(const Packet& packet, bool odd, std::chrono::nanoseconds now);
 
     SourceKey key_;
     std::string name_;
@@ -103,7 +104,7 @@ private:
     bool has_levels_ = false; // a packet with levels was shown, so the slots mean something
     bool joined_ = false;
     bool per_address_ = false;
-    std::uint16_t slot_count_ = 0;
+    std::uint16_t slot_count_ = 0, priority_count_ = 0;
     Levels levels_{};
     Levels slot_priority_{};          // while per_address; 0 = this source does not hold the slot
     std::array<Levels, 2> samples_{}; // of the last two seconds; of its first ones the first levels
@@ -113,32 +114,23 @@ private:
     std::uint64_t heard_ = 0, packets_ = 0, out_of_sequence_ = 0, missed_ = 0, other_way_ = 0;
     struct Window {
         double packets = 0, late = 0, back = 0, odd = 0, missed = 0,
-               swapped = 0; // back: SourceStatus::back_hz; odd: after a gap or a step back
+               swapped = 0; // back: far behind the newest; odd: after a gap or a step back
     };
     Window window_, rates_hz_; // counted since window_start_, and of the whole second before
     std::chrono::nanoseconds window_start_{0};
-    std::uint64_t lost_ = 0; // that were not taken yet
+    std::uint64_t lost_ = 0, pending_lost_ = 0; // that were not taken yet; that may be another sender's
     bool has_gaps_ = false;
-    struct Double {
+    struct OtherWay {
         IpAddress from;
-        std::chrono::nanoseconds first{0}, last{0};
+        unsigned interface_index = 0;
+        LookPair pair; // 0: the way that counts
     };
-    std::optional<Double> double_;
-    // Of what came by the way that counts and by the other one, by number: what it shows. While there is
-    // another way.
-    struct Look {
-        std::uint64_t look = 0; // 0: none
-        std::uint8_t number = 0;
-    };
-    struct Looks {
-        std::array<Look, 64> here{}, there{};
-        IpAddress from; // the other way
-    };
-    std::unique_ptr<Looks> looks_;
-    std::uint64_t look_ = 0, look_back_ = 0; // of the newest levels, and of the newest that stepped back
-    std::uint16_t port_ = 0, lower_port_ = 0, higher_port_ = 0; // of the newest packet, and of two by turns
-    bool newest_is_levels_ = false;
-    std::uint16_t most_slots_ = 0; // of late
+    std::unique_ptr<OtherWay> other_;  // while there is one
+    std::unique_ptr<SharedRows> rows_; // while numbers or ports are those of two senders, perhaps
+    std::chrono::nanoseconds odd_at_{0};
+    std::uint16_t port_ = 0, port_before_ = 0; // of the newest packet, and of the newest by another port
+    bool numbered_ = true;                     // the newest packet
+    std::uint16_t most_slots_ = 0;             // of late
     std::chrono::nanoseconds most_slots_at_{0};
     double interval_ms_ = 0.0, jitter_ms_ = 0.0; // means of the last 16 packets or so
 };

@@ -145,6 +145,7 @@ void Merge::terminate(std::uint16_t number, Input& input, const Packet& packet,
     if (found->release()) mark(number, input);
     if (input.dirty) rebuild(number, input); // a look that came just before is the one to hold
     input.sources.erase(found);
+    input.ended = true;
     other_sources_ -= input.asked ? 0 : 1;
     ++counters_.sources_terminated;
     mark(number, input);
@@ -284,8 +285,10 @@ void Merge::tick(std::chrono::nanoseconds now) {
         if (let_newcomers_in(input, now)) changed = true;
         if (loss_is_settled(input.sources, now)) {
             if (input.dirty || changed) rebuild(number, input); // the last look is the one to hold
-            counters_.sources_lost +=
+            const std::size_t gone =
                 remove_sources(input, [&](const LevelSource& source) { return source.expired(now); });
+            counters_.sources_lost += gone;
+            if (gone > 0) input.ended = false;
             changed = true;
         }
         for (LevelSource& source : input.sources) {
@@ -413,7 +416,8 @@ std::vector<IgnoredSource> Merge::ignored(std::chrono::nanoseconds now) const {
 std::vector<LostUniverse> Merge::lost(std::chrono::nanoseconds now) const {
     std::vector<LostUniverse> result;
     for (const auto& [number, input] : inputs_)
-        if (input.lost_since) result.push_back({number, input.black_due, now - *input.lost_since});
+        if (input.lost_since)
+            result.push_back({number, input.black_due, now - *input.lost_since, input.ended});
     return result;
 }
 

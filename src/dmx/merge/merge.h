@@ -130,6 +130,7 @@ private:
         std::chrono::nanoseconds arrival{0};
         std::chrono::nanoseconds heard{0}; // newest packet of a source that has a place
         std::optional<std::chrono::nanoseconds> lost_since;
+        bool ended = false;     // the last source that left said goodbye
         bool asked = false;     // for: MergeOptions::asked
         bool seen = false;      // levels were shown at least once
         bool black_due = false; // lost for so long that the policy takes the look away

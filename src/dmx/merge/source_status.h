@@ -45,6 +45,7 @@ struct LostUniverse {
     std::uint16_t universe = 0;
     bool black = false; // else its last look is held
     std::chrono::nanoseconds since{0};
+    bool ended = false; // its last source said goodbye
 };
 
 struct SourceStatus {
@@ -64,6 +65,8 @@ struct SourceStatus {
     std::uint8_t priority = 0;
     bool per_address_priority = false;
     std::uint8_t highest_priority = 0; // of its addresses; without such priorities the same
+    std::uint16_t priority_count = 0;  // of its list of them
+    std::uint16_t bad_priorities = 0;  // of these above 200, which is none: such a slot is not held
     std::uint16_t slot_count = 0;      // of its newest packet
     std::uint16_t most_slots = 0;      // of one in the last seconds
     std::uint64_t packets = 0;         // level packets used
@@ -72,12 +75,12 @@ struct SourceStatus {
     std::uint64_t other_way = 0;       // dropped: came by another interface or from another address as well
     double rate_hz = 0.0;              // level packets per second over about the last second
     double late_hz = 0.0;              // of them that are dropped: late or twice
-    // Of them that tell of two senders: their number (without numbers, their port) steps back to the look of
-    // the one before, or comes again with other levels.
-    double back_hz = 0.0;
-    std::uint16_t port = 0, other_port = 0; // that unnumbered ones come from by turns; 0: they do not
-    bool has_gaps = false;                  // most of its packets come after a gap in the numbers
-    double jitter_ms = 0.0;                 // how far its packets come from an even beat, in the mean
+    // Two senders, of one way, take turns in its name and show different things: by two rows of numbers, or
+    // by the two ports of unnumbered ones (else 0).
+    bool is_shared = false;
+    std::uint16_t port = 0, other_port = 0;
+    bool has_gaps = false;  // most of its packets come after a gap in the numbers
+    double jitter_ms = 0.0; // how far its packets come from an even beat, in the mean
     // Whoever sends other packets in its name at the same time, from another address or by another interface.
     std::optional<IpAddress> double_from;
     bool is_dark = false;       // nothing that it sends is above 0

@@ -101,7 +101,8 @@ struct Receiver::Loop {
                                 wanted.show_preview,
                                 steady_now(),
                                 "",
-                                wanted.artnet_ltp};
+                                wanted.artnet_ltp,
+                                wanted.answer_polls};
     }
 
     IntakeOptions with_recording(const ReceiverOptions& wanted) {
@@ -325,8 +326,13 @@ void Receiver::Loop::publish_statistics(nanoseconds now) {
     statistics.usb = usb.status();
     statistics.midi = midi.status();
     statistics.port_users = port_watch.users();
-    const RecentLoss total{statistics.merge.lost, statistics.overflow, statistics.merge.too_many_universes,
-                           statistics.drops, statistics.drops_sacn};
+    const RecentLoss total{statistics.merge.lost,
+                           statistics.overflow,
+                           statistics.merge.too_many_universes,
+                           statistics.notices[static_cast<std::size_t>(Notice::poll)],
+                           statistics.polls_refused,
+                           statistics.drops,
+                           statistics.drops_sacn};
     if (now >= next_window) {
         before = std::exchange(at_last, total);
         next_window = now + kLossWindow;
@@ -411,6 +417,8 @@ RecentLoss RecentLoss::operator-(const RecentLoss& before) const {
     since.lost -= before.lost;
     since.overflow -= before.overflow;
     since.too_many_universes -= before.too_many_universes;
+    since.polls -= before.polls;
+    since.polls_refused -= before.polls_refused;
     for (std::size_t i = 0; i < refused.size(); ++i) {
         since.refused[i] -= before.refused[i];
         since.refused_sacn[i] -= before.refused_sacn[i];

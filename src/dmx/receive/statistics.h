@@ -63,6 +63,7 @@ struct Listening {
     std::chrono::nanoseconds since{0}; // steady time of its beginning
     std::string problem;               // why we do not listen at all: a port that is taken, as a rule
     bool artnet_ltp = false;           // of two Art-Net sources; else HTP
+    bool answers_polls = true;         // else it keeps silent where somebody asks for Art-Net
     std::size_t wider = 0;             // universes that are listened for besides (wider.h)
 };
 
@@ -74,6 +75,7 @@ struct RecentLoss {
     std::uint64_t lost = 0;     // as MergeCounters::lost
     std::uint64_t overflow = 0; // dropped by the kernel
     std::uint64_t too_many_universes = 0;
+    std::uint64_t polls = 0, polls_refused = 0;
     Refused refused{};      // as Statistics::drops
     Refused refused_sacn{}; // of these on the port of sACN
 
@@ -133,6 +135,7 @@ struct Statistics {
     std::vector<UsbPortStatus> usb;
     MidiStatus midi;
     std::optional<TimeCodeStatus> timecode; // the newest
+    std::optional<TimeCodeStatus> other_timecode; // the newest by another sender or of another stream
     std::vector<TriggerStatus> triggers;    // the newest kMaxRemembered
     std::vector<LinkChange> link_changes;   // the newest kMaxRemembered
     Latency latency;                        // from the kernel's receipt of a level packet to its publication

@@ -35,8 +35,6 @@ public:
     int ahead(std::uint8_t number) const {
         return newest_ ? static_cast<std::int8_t>(static_cast<std::uint8_t>(number - *newest_)) : 0;
     }
-    bool is_unused() const { return !newest_; }
-    bool is_newest(std::uint8_t number) const { return newest_ == number; }
     // A number of the same row that somebody else takes: it is not missed. No more than that, for there are
     // senders with a row for each.
     void pass(std::uint8_t number, unsigned missed = 0) {

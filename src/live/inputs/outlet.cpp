@@ -54,10 +54,12 @@ void Outlet::wait(Clock::time_point taken, double at_s, double end_s) const {
 }
 
 Result<void> Outlet::end(const std::string& name) {
+    const std::string why = sender_.trouble() ? ": " + sender_.trouble()->text() : "";
     sender_.terminate();
-    if (sender_.refused() > 0) log_warning(std::to_string(sender_.refused()) + " packets could not be sent");
+    if (sender_.refused() > 0 && sender_.packets() > 0)
+        log_warning(std::to_string(sender_.refused()) + " packets could not be sent" + why);
     if (sender_.packets() > 0) return {};
-    if (sender_.refused() > 0) return Error{"nothing could be sent", name};
+    if (sender_.refused() > 0) return Error{"nothing could be sent" + why, name};
     if (damaged_) return Error{"nothing of it can be read: it is damaged as a whole", name};
     return {};
 }

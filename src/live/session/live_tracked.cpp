@@ -3,6 +3,7 @@
 // device, and in the distance maps of the lights that see them.
 #include "live/session/live_view.h"
 
+#include "base/steady_time.h"
 #include "base/text.h"
 #include "disk/files.h"
 #include "disk/own_folder.h"
@@ -150,10 +151,16 @@ void LiveView::hang_lamps(const scene::Rig& rig) {
 
 bool LiveView::update_maps(const std::vector<shared::Light>& lights) {
     if (!moving_maps_) return false;
+    const double begin_s = steady_now_s();
     const bake::MovingMaps::News news = moving_maps_->update(lights);
+    const double traced_s = steady_now_s();
+    std::vector<render::DistanceImages::Change> changes;
     for (const bake::MovingMaps::Changed& changed : news.maps)
         if (changed.map < maps_.maps.size()) // else left out
-            distances_->set_blocks(changed.map, moving_maps_->distance(changed.map), changed.blocks);
+            changes.push_back({changed.map, moving_maps_->distance(changed.map), changed.blocks});
+    distances_->set_blocks(changes);
+    distances_->finish();
+    map_work_ = {news.rays, 1e3 * (traced_s - begin_s), 1e3 * (steady_now_s() - traced_s)};
     return news.is_seen_by_resting;
 }
 

@@ -196,6 +196,7 @@ bool LiveView::take_maps(Report& report) {
         place = std::move(made.map);
         place.distance = {};
     }
+    distances_->finish();
     if (missing_maps_ == 0 && missing_before > 0)
         log_info("all " + std::to_string(maps_.maps.size()) + " distance maps are made");
     if (auto outcome = maker_->outcome()) {

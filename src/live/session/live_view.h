@@ -98,6 +98,13 @@ public:
     // Of a show with movers, whose maps are made as they are needed: what these lights, of follow's rig, see
     // now. True: a light that did not change itself has another image.
     bool update_maps(const std::vector<shared::Light>& lights);
+    // What the last of these took.
+    struct MapWork {
+        std::uint64_t rays = 0;
+        double trace_ms = 0;
+        double upload_ms = 0;
+    };
+    const MapWork& map_work() const { return map_work_; }
     std::size_t missing_maps() const { return missing_maps_; }
     bool is_making_maps() const { return maker_ != nullptr; }
 
@@ -130,6 +137,7 @@ private:
     std::vector<std::size_t> moving_;
     std::vector<scene::CarriedObject> carried_;
     render::StageModel model_;
+    MapWork map_work_;
     render::Pose pose_of(const scene::Camera& camera, bool flies) const;
     render::Surroundings surroundings() const;
     std::unique_ptr<render::GBuffer> g_buffer_, parked_;

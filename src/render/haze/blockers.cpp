@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render/haze/private/blockers.h"
 
+#include "base/check.h"
 #include "shared/blockers.h"
 
 #include <algorithm>
@@ -112,12 +113,33 @@ std::vector<std::vector<Blockers>> blockers_of(const std::vector<std::uint16_t>&
         level.resize(cells * cells);
         cells /= 2;
     }
-    update_blockers(texels, side, 0, 0, side, levels);
+    update_blockers(texels, side, {0, 0, side}, levels);
     return levels;
 }
 
-void update_blockers(const std::vector<std::uint16_t>& texels, std::uint32_t side, std::uint32_t x,
-                     std::uint32_t y, std::uint32_t width, std::vector<std::vector<Blockers>>& levels) {
+std::uint32_t blocker_unit(std::uint32_t block, std::uint32_t side) {
+    return std::max(block, kLeastBlockerCell << (blocker_levels(side) - 1));
+}
+
+std::vector<BlockerSquare> squares_of(const std::vector<int>& blocks, std::uint32_t block,
+                                      std::uint32_t side) {
+    const std::uint32_t unit = blocker_unit(block, side), units = side / unit, across = side / block;
+    CHECK_EQ(side % unit, 0u);
+    std::vector<BlockerSquare> squares;
+    std::vector<bool> has(std::size_t{units} * units);
+    for (const int number : blocks) {
+        const auto k = static_cast<std::uint32_t>(number);
+        const std::uint32_t x = k % across * block / unit, y = k / across * block / unit;
+        if (!has[y * units + x]) squares.push_back({x * unit, y * unit, unit});
+        has[y * units + x] = true;
+    }
+    return squares;
+}
+
+void update_blockers(const std::vector<std::uint16_t>& texels, std::uint32_t side,
+                     const BlockerSquare& square, std::vector<std::vector<Blockers>>& levels) {
+    const auto [x, y, width] = square;
+    CHECK(width == side || width >= kLeastBlockerCell << (levels.size() - 1));
     std::size_t cells = std::max(width / kLeastBlockerCell, 1u);
     std::vector<Cell> level(cells * cells);
     for (std::size_t k = 0; k < level.size(); ++k)

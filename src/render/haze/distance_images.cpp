@@ -6,12 +6,17 @@
 #include "render/haze/private/blockers.h"
 
 #include <algorithm>
+#include <tbb/parallel_for.h>
 #include <vector>
 
 namespace ghost::render {
 namespace {
 
 constexpr std::uint32_t kLeastSide = 32;
+constexpr std::uint32_t kBlock = scene::kDistanceBlock;
+// Of a map, which go to the device one by one: more of them take longer than all of it (an H200 took 43 ms
+// for the blocks of 24 maps).
+constexpr std::size_t kFewBlocks = 8;
 
 std::uint32_t layers_of(const gpu::Device& device, const scene::DistanceMaps& maps) {
     return static_cast<std::uint32_t>(
@@ -39,14 +44,20 @@ std::uint32_t side_that_fits(const gpu::Device& device, const scene::DistanceMap
     return side;
 }
 
+VkRect2D square(std::uint32_t x, std::uint32_t y, std::uint32_t width) {
+    return {{static_cast<std::int32_t>(x), static_cast<std::int32_t>(y)}, {width, width}};
+}
+
 } // namespace
 
 DistanceImages::DistanceImages(const gpu::Device& device, const scene::DistanceMaps& maps)
     : wanted_side_(static_cast<std::uint32_t>(std::max(maps.size, 1))),
       texture_(device, texels_shape(side_that_fits(device, maps), layers_of(device, maps))),
-      blockers_(device, blockers_shape(side(), layers_of(device, maps))), far_(count()), kept_(count()) {
+      blockers_(device, blockers_shape(side(), layers_of(device, maps))), uploads_(device), far_(count()),
+      kept_(count()) {
     for (FarParts& parts : far_) parts.fill(scene::kNoSurface_m);
     for (std::size_t index = 0; index < maps.maps.size(); ++index) set(index, maps.maps[index].distance);
+    finish();
 }
 
 void DistanceImages::set(std::size_t index, const std::vector<std::uint16_t>& distance) {
@@ -60,37 +71,68 @@ void DistanceImages::set(std::size_t index, const std::vector<std::uint16_t>& di
     kept.reserve(std::size_t{side()} * side());
     for (std::size_t y = step / 2; y < wanted; y += step)
         for (std::size_t x = step / 2; x < wanted; x += step) kept.push_back(distance[y * wanted + x]);
-    texture_.write_layer(layer, kept.data(), kept.size() * sizeof kept[0]);
     far_[index] = far_parts(kept, side());
-    upload_blockers(layer, blockers_of(kept, side()));
+    add_whole(layer, kept, blockers_of(kept, side()));
 }
 
-void DistanceImages::set_blocks(std::size_t index, const std::vector<std::uint16_t>& distance,
-                                const std::vector<int>& blocks) {
-    constexpr std::uint32_t kBlock = scene::kDistanceBlock;
-    if (index >= count()) return;
-    if (side() != wanted_side_ || side() % kBlock != 0) return set(index, distance);
-    CHECK_EQ(distance.size(), std::size_t{side()} * side());
-    const auto layer = static_cast<std::uint32_t>(index);
-    std::vector<std::vector<Blockers>>& levels = kept_[index];
-    if (levels.empty()) {
-        levels = blockers_of(distance, side());
-        far_[index] = far_parts(distance, side());
-    } else {
-        for (const int block : blocks) {
-            const std::uint32_t across = side() / kBlock, k = static_cast<std::uint32_t>(block);
-            const std::uint32_t x = k % across * kBlock, y = k / across * kBlock;
-            update_blockers(distance, side(), x, y, kBlock, levels);
-            update_far_parts(distance, side(), x, y, kBlock, far_[index]);
+void DistanceImages::set_blocks(const std::vector<Change>& changes) {
+    const bool in_parts = side() == wanted_side_ && side() % blocker_unit(kBlock, side()) == 0;
+    std::vector<char> whole(changes.size()); // was not known before
+    tbb::parallel_for(std::size_t{0}, changes.size(), [&](std::size_t c) {
+        const auto& [index, distance, blocks] = changes[c];
+        if (index >= count() || !in_parts) return;
+        CHECK_EQ(distance.size(), std::size_t{side()} * side());
+        std::vector<std::vector<Blockers>>& levels = kept_[index];
+        whole[c] = levels.empty();
+        if (levels.empty()) {
+            levels = blockers_of(distance, side());
+            far_[index] = far_parts(distance, side());
+            return;
         }
+        const std::uint32_t across = side() / kBlock;
+        for (const int block : blocks)
+            update_far_parts(distance, side(), static_cast<std::uint32_t>(block) % across * kBlock,
+                             static_cast<std::uint32_t>(block) / across * kBlock, kBlock, far_[index]);
+        for (const BlockerSquare& part : squares_of(blocks, kBlock, side()))
+            update_blockers(distance, side(), part, levels);
+    });
+    for (std::size_t c = 0; c < changes.size(); ++c) {
+        const auto& [index, distance, blocks] = changes[c];
+        if (index >= count()) continue;
+        if (!in_parts)
+            set(index, distance);
+        else if (whole[c] || blocks.size() > kFewBlocks)
+            add_whole(static_cast<std::uint32_t>(index), distance, kept_[index]);
+        else
+            add_blocks(changes[c]);
     }
-    texture_.write_layer(layer, distance.data(), distance.size() * sizeof distance[0]);
-    upload_blockers(layer, levels);
 }
 
-void DistanceImages::upload_blockers(std::uint32_t layer, const std::vector<std::vector<Blockers>>& levels) {
+void DistanceImages::add_blocks(const Change& change) {
+    const auto layer = static_cast<std::uint32_t>(change.index);
+    const std::uint32_t across = side() / kBlock;
+    for (const int block : change.blocks) {
+        const auto k = static_cast<std::uint32_t>(block);
+        const std::uint32_t x = k % across * kBlock, y = k / across * kBlock;
+        uploads_.add(texture_, layer, 0, square(x, y, kBlock), &change.distance[std::size_t{y} * side() + x],
+                     side() * sizeof change.distance[0], sizeof change.distance[0]);
+    }
+    const std::vector<std::vector<Blockers>>& levels = kept_[change.index];
+    for (const BlockerSquare& part : squares_of(change.blocks, kBlock, side()))
+        for (std::uint32_t level = 0; level < levels.size(); ++level) {
+            const std::uint32_t cell = kLeastBlockerCell << level, cells = side() / cell;
+            const std::uint32_t x = part.x / cell, y = part.y / cell;
+            uploads_.add(blockers_, layer, level, square(x, y, part.width / cell),
+                         &levels[level][std::size_t{y} * cells + x], cells * sizeof(Blockers),
+                         sizeof(Blockers));
+        }
+}
+
+void DistanceImages::add_whole(std::uint32_t layer, const std::vector<std::uint16_t>& distance,
+                               const std::vector<std::vector<Blockers>>& levels) {
+    uploads_.add(texture_, layer, 0, distance.data(), sizeof distance[0]);
     for (std::uint32_t level = 0; level < levels.size(); ++level)
-        blockers_.write_layer(layer, levels[level].data(), levels[level].size() * sizeof(Blockers), level);
+        uploads_.add(blockers_, layer, level, levels[level].data(), sizeof(Blockers));
 }
 
 DistanceImages::~DistanceImages() = default;

@@ -1,8 +1,8 @@
 #pragma once
 // SPDX-License-Identifier: Apache-2.0
 // The distance maps of a show on the device: one layer of half floats each, in the order of DistanceMaps;
-// layer + 1 is shared::Light::map. A map that comes later (it was being made) can be set at any time. Main
-// thread; the device must outlive it.
+// layer + 1 is shared::Light::map. A map that comes later (it was being made) can be set at any time; what was
+// set is on the device after finish(). Main thread; the device must outlive it.
 //
 // Beside them lie their texels summed up in cells, for soft shadows (render/haze/private/blockers.h).
 //
@@ -11,6 +11,7 @@
 
 #include "gpu/device.h"
 #include "gpu/texture.h"
+#include "gpu/uploads.h"
 #include "passes/distance_maps.h"
 #include "render/geometry/beam_reach.h"
 
@@ -28,9 +29,16 @@ public:
 
     // Of a map that was left out: nothing happens.
     void set(std::size_t index, const std::vector<std::uint16_t>& distance);
-    // The same where only some blocks of kDistanceBlock texels a side changed since it was set, row by row.
-    void set_blocks(std::size_t index, const std::vector<std::uint16_t>& distance,
-                    const std::vector<int>& blocks);
+    // The same of maps of which only some blocks of kDistanceBlock texels a side changed since they were set,
+    // each map once. Uses all cores.
+    struct Change {
+        std::size_t index = 0;
+        const std::vector<std::uint16_t>& distance;
+        const std::vector<int>& blocks; // row by row
+    };
+    void set_blocks(const std::vector<Change>& changes);
+    // All that was set goes to the device at once. Waits.
+    void finish() { uploads_.finish(); }
     std::size_t count() const { return texture_.shape().layers; }
     const gpu::Texture& texture() const { return texture_; }
     const gpu::Texture& blockers() const { return blockers_; }
@@ -41,11 +49,14 @@ public:
     std::uint32_t wanted_side() const { return wanted_side_; } // more than side(): memory ran short
 
 private:
-    void upload_blockers(std::uint32_t layer, const std::vector<std::vector<Blockers>>& levels);
+    void add_blocks(const Change& change);
+    void add_whole(std::uint32_t layer, const std::vector<std::uint16_t>& distance,
+                   const std::vector<std::vector<Blockers>>& levels);
 
     std::uint32_t wanted_side_;
     gpu::Texture texture_;
     gpu::Texture blockers_;
+    gpu::Uploads uploads_;
     std::vector<FarParts> far_;                            // of each map
     std::vector<std::vector<std::vector<Blockers>>> kept_; // likewise, of those of which blocks were set
 };

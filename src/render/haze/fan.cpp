@@ -106,6 +106,7 @@ shared::Planes planes_of(const glm::dvec3& place_m, const shared::Light& light, 
     planes.across = glm::vec3(glm::cross(pole, along));
     planes.sin_axis = static_cast<float>(sine);
     planes.cos_cone = static_cast<float>(cos_cone);
+    planes.sin_cone = static_cast<float>(sin_cone);
     if (sine > sin_cone * kNearRim)
         planes.row_scale = static_cast<float>(sine / sin_cone);
     else if (fraction < 1)

@@ -58,7 +58,7 @@ private:
 
     Meridian meridian_of(float row) const {
         const glm::vec2 turn = shared::fan_meridian(fan_.beam, row);
-        const glm::vec4 chord = shared::fan_chord(fan_.beam, turn.x);
+        const glm::vec4 chord = shared::fan_chord(fan_.beam, turn);
         return {turn, std::atan2(double{chord.y}, double{chord.x}), std::atan(double{chord.w}),
                 dvec3(fan_.beam.along) * double{turn.x} + dvec3(fan_.beam.across) * double{turn.y}};
     }

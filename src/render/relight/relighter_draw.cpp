@@ -178,8 +178,10 @@ bool Relighter::draw_lights(const std::vector<shared::Light>& lights, std::uint3
                                 : settings_.most_groups > 0 ? settings_.most_groups
                                                             : device_.limits().work_groups};
     commands_.begin_span("cull");
-    commands_.write(groups_, std::vector<shared::TileGroups>(
-                                 chunk.batches(), {{0, 1, 1, 0}, {0, 1, 1, 0}, {0, 1, 1, 0}, {0, 1, 1, 0}}));
+    const std::uint32_t slices = visibility_slices(f, batch_size_);
+    commands_.write(groups_,
+                    std::vector<shared::TileGroups>(
+                        chunk.batches(), {{0, 1, 1, 0}, {0, 1, 1, 0}, {0, slices, 1, 0}, {0, 1, 1, 0}}));
     commands_.write(lists_, std::vector<std::uint32_t>(std::size_t{4} * chunk.batches()));
     commands_.dispatch(cull_, cull,
                        {gpu::uniform(f.view), gpu::uniform(lights_, offset),

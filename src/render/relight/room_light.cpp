@@ -18,23 +18,26 @@ constexpr std::uint32_t kLeastSlices = 8;
 
 RoomLight::RoomLight(const gpu::Device& device)
     : device_(device), glow_program_(device, shaders::kShader_glow),
-      program_(device, shaders::kShader_room_light) {}
+      program_(device, shaders::kShader_room_light), uploads_(device) {}
 
-void RoomLight::upload(const gpu::Device& device, const scene::BounceVolume& volume, gpu::Texture& texture) {
+void RoomLight::upload(const scene::BounceVolume& volume, gpu::Texture& texture) {
     const auto width = static_cast<std::uint32_t>(volume.size.x),
                height = static_cast<std::uint32_t>(volume.size.y);
     const auto layers = static_cast<std::uint32_t>(volume.texels.size() / (std::size_t{width} * height));
     const gpu::TextureShape& before = texture.shape();
     if (texture.bytes() == 0 || before.width != width || before.height != height || before.layers != layers)
         texture =
-            gpu::Texture(device, {width, height, layers, 1, VK_FORMAT_R16G16B16A16_SFLOAT, false, true});
-    texture.write(0, volume.texels.data(), volume.texels.size() * sizeof volume.texels[0]);
+            gpu::Texture(device_, {width, height, layers, 1, VK_FORMAT_R16G16B16A16_SFLOAT, false, true});
+    const std::size_t layer_texels = std::size_t{width} * height;
+    for (std::uint32_t layer = 0; layer < layers; ++layer)
+        uploads_.add(texture, layer, 0, &volume.texels[layer * layer_texels], sizeof volume.texels[0]);
 }
 
 void RoomLight::set(const scene::BounceVolumes& volumes) {
-    upload(device_, volumes.surfaces, surfaces_);
-    upload(device_, volumes.air, air_);
-    upload(device_, volumes.glow, glow_);
+    upload(volumes.surfaces, surfaces_);
+    upload(volumes.air, air_);
+    upload(volumes.glow, glow_);
+    uploads_.finish();
     push_.low_m = volumes.low_m;
     push_.surfel_m = volumes.surfel_m;
     push_.surfels = glm::vec3(volumes.surfaces.size);

@@ -8,6 +8,7 @@
 #include "gpu/buffer.h"
 #include "gpu/commands.h"
 #include "gpu/texture.h"
+#include "gpu/uploads.h"
 #include "render/geometry/fragments.h"
 #include "render/geometry/g_buffer.h"
 #include "shared/room_light.h"
@@ -28,10 +29,11 @@ public:
     std::uint64_t memory_bytes() const;
 
 private:
-    static void upload(const gpu::Device& device, const scene::BounceVolume& volume, gpu::Texture& texture);
+    void upload(const scene::BounceVolume& volume, gpu::Texture& texture);
 
     const gpu::Device& device_;
     gpu::LateProgram glow_program_, program_;
+    gpu::Uploads uploads_;
     gpu::Texture surfaces_, air_, glow_, slices_;
     shared::RoomLightPush push_{};
 };

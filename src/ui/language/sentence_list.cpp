@@ -66,12 +66,11 @@ constexpr const char* kSentences[] = {
                                   "(--on-loss), and %3"),
     QT_TRANSLATE_NOOP("Sentence",
                       "universe %1 is lost: its last packet came %2 s ago and it went black (--on-loss)"),
+    QT_TRANSLATE_NOOP("Sentence", "universe %1 comes with %2, and %3 of the fixture lie past these (is it "
+                                  "patched on the desk?), and %4"),
     QT_TRANSLATE_NOOP(
-        "Sentence", "universe %1 comes with %2 channels, and %3 of the fixture lie past these (is it patched "
-                    "on the desk?), and %4"),
-    QT_TRANSLATE_NOOP(
-        "Sentence", "universe %1 comes with %2 channels, and %3 of the fixture lie past these (is it patched "
-                    "on the desk?)"),
+        "Sentence",
+        "universe %1 comes with %2, and %3 of the fixture lie past these (is it patched on the desk?)"),
     QT_TRANSLATE_NOOP("Sentence", "the dimmer on %1 of function %2, that is %3; so is %4"),
     QT_TRANSLATE_NOOP("Sentence", "the dimmer on %1 of function %2, that is %3; so are %4"),
     QT_TRANSLATE_NOOP("Sentence", "the dimmer on %1 of function %2, that is %3"),
@@ -199,6 +198,9 @@ constexpr const char* kSentences[] = {
     QT_TRANSLATE_NOOP("Sentence", "off by one? %1 is announced for %2 by %3, fixtures are on %4: %5"),
     QT_TRANSLATE_NOOP("Sentence", "--artnet-offset %1 brings them together"),
     QT_TRANSLATE_NOOP("Sentence", "move the desk's output or the show's patch by one"),
+    QT_TRANSLATE_NOOP(
+        "Sentence", "%1. If that is another system's (another hall, somebody's list), this show's desk is "
+                    "silent or does not get here: its output, the network, a firewall on UDP 5568 and 6454"),
     QT_TRANSLATE_NOOP("Sentence", "%1 announces %2, nothing is patched there; the show wants %3"),
     QT_TRANSLATE_NOOP("Sentence", "%1 announces %2, nothing is patched there"),
     QT_TRANSLATE_NOOP("Sentence", "packets for %1 arrive (%2), nothing is patched there; the show wants %3"),
@@ -208,6 +210,12 @@ constexpr const char* kSentences[] = {
     QT_TRANSLATE_NOOP("Sentence", "%1; packets arrive that cannot be read (%2)"),
     QT_TRANSLATE_NOOP("Sentence", "nothing comes for %1 any more, since %2: the last look is held. Packets "
                                   "still come, without levels"),
+    QT_TRANSLATE_NOOP("Sentence",
+                      "nothing comes for %1 any more, since %2: the last look is held. Its desk said that it "
+                      "ends this stream: its output was switched off, or its program closed"),
+    QT_TRANSLATE_NOOP("Sentence",
+                      "nothing comes for %1 any more, since %2: black (--on-loss). Its desk said that it "
+                      "ends this stream: its output was switched off, or its program closed"),
     QT_TRANSLATE_NOOP("Sentence", "nothing comes for %1 any more, since %2: black (--on-loss). Packets still "
                                   "come, without levels"),
     QT_TRANSLATE_NOOP("Sentence", "%1; %2: packets without a single level"),
@@ -222,6 +230,12 @@ constexpr const char* kSentences[] = {
                                   "several universes in one row, or as many get lost on the way"),
     QT_TRANSLATE_NOOP("Sentence", "%1. Art-Net is not listened for (--protocols)"),
     QT_TRANSLATE_NOOP("Sentence", "%1. sACN is not listened for (--protocols)"),
+    QT_TRANSLATE_NOOP("Sentence", "%1. Somebody asks who wants Art-Net (ArtPoll) and gets no answer "
+                                  "(--no-poll-reply): OLA and some desks send to those alone that answer"),
+    QT_TRANSLATE_NOOP(
+        "Sentence",
+        "%1. Somebody asks who wants Art-Net (ArtPoll) and gets no answer, for it asks from another network, "
+        "too often or with too many others: OLA and some desks send to those alone that answer"),
     QT_TRANSLATE_NOOP("Sentence",
                       "nothing comes for %1 any more, since %2: black (--on-loss). Its desk has stopped, or "
                       "something on the way lets nothing through any more: a cable, a firewall, or a switch "
@@ -236,6 +250,12 @@ constexpr const char* kSentences[] = {
     QT_TRANSLATE_NOOP("Sentence",
                       "%1 are merged, those of the highest priority and of these the longest known"),
     QT_TRANSLATE_NOOP("Sentence", "%1 is not shown on %2: %3 has a higher priority"),
+    QT_TRANSLATE_NOOP("Sentence", "%1 sends priorities per address above 200 on universe %2 for %3: there is "
+                                  "none above 200 (E1.31), and these channels are not shown"),
+    QT_TRANSLATE_NOOP("Sentence", "%1 sends %2 on universe %3 and priorities per address for %4 alone: it "
+                                  "gives the others up, and fixtures are patched there"),
+    QT_TRANSLATE_NOOP("Sentence", "%1 levels"),
+    QT_TRANSLATE_NOOP("Sentence", "%1 level"),
     QT_TRANSLATE_NOOP("Sentence",
                       "%1 comes from more than one source of equal priority, %2, and they differ on up to "
                       "%3: %4. Switch one off, or give one that is a backup a lower priority"),
@@ -252,20 +272,28 @@ constexpr const char* kSentences[] = {
                       "%1 comes from more than one source of equal priority, %2, and they differ on up to "
                       "%3: %4. %5 sends 0 alone: if that is a black-out, the others hide it"),
     QT_TRANSLATE_NOOP("Sentence",
+                      "%1 comes from more than one source of equal priority, %2, and they differ on up to "
+                      "%3: %4. %5 has all dimmers at 0: if that is a black-out, the others hide it"),
+    QT_TRANSLATE_NOOP("Sentence",
                       "%1 come from more than one source of equal priority, %2, and they differ on up to %3: "
                       "%4. %5 sends 0 alone: if that is a black-out, the others hide it"),
+    QT_TRANSLATE_NOOP("Sentence",
+                      "%1 come from more than one source of equal priority, %2, and they differ on up to %3: "
+                      "%4. %5 has all dimmers at 0: if that is a black-out, the others hide it"),
     QT_TRANSLATE_NOOP("Sentence",
                       "two senders have one identity (CID) on %1: %2 and one at %3 that sends other packets. "
                       "The first is shown, the second is dropped. One is a copy of the other (a cloned disk, "
                       "a copied set-up): give it a CID of its own"),
-    QT_TRANSLATE_NOOP(
-        "Sentence", "numbers of the packets of %1 jump back and forth, or come twice with other levels, on "
-                    "%2: two programs send there as one, and now the look of this shows, now of that. Close "
-                    "one, or give it an identity of its own (sACN: a CID, Art-Net: an address)"),
     QT_TRANSLATE_NOOP("Sentence",
-                      "the packets of %1 on %2 come by turns from the ports %3 and %4: two programs send "
-                      "there as one, and now the look of this shows, now of that. Close one, or give it an "
-                      "identity of its own (sACN: a CID, Art-Net: an address)"),
+                      "packets of %1 on %2 come in two rows of numbers, or one of them without any, with "
+                      "different levels: two programs send there as one, or one that gives two packets one "
+                      "number (a base and an effect). Now the look of this shows, now of that. Of two, close "
+                      "one, or give it an identity of its own (sACN: a CID, Art-Net: an address)"),
+    QT_TRANSLATE_NOOP(
+        "Sentence",
+        "the packets of %1 on %2 come by turns from the ports %3 and %4 with different levels: two programs "
+        "send there as one, or one by two sockets. Now the look of this shows, now of that. Of two, close "
+        "one, or give it an identity of its own (sACN: a CID, Art-Net: an address)"),
     QT_TRANSLATE_NOOP("Sentence",
                       "%1 does not count its packets up on %2: %3 of %4 a second are dropped as late or "
                       "twice, for their sequence number stands still or counts down. The look follows in "
@@ -276,6 +304,10 @@ constexpr const char* kSentences[] = {
                       "%1 comes with %2, and %3 (%4) are patched past these: not patched on the desk?"),
     QT_TRANSLATE_NOOP("Sentence", "whoever changed a channel last has it (LTP, --artnet-merge)"),
     QT_TRANSLATE_NOOP("Sentence", "of each channel the higher level shows (HTP)"),
+    QT_TRANSLATE_NOOP("Sentence", "%1. %2 names more than one Physical (input): it has several, or it "
+                                  "changes what it names, and each counts as a source"),
+    QT_TRANSLATE_NOOP("Sentence",
+                      "%1. %2 sends by sACN and by Art-Net: if that is one desk, one of them will do"),
     QT_TRANSLATE_NOOP("Sentence", "%1 other packets did (%2)"),
     QT_TRANSLATE_NOOP("Sentence", "%1 other packet did (%2)"),
     QT_TRANSLATE_NOOP("Sentence", "%1 on universe %2"),
@@ -309,6 +341,9 @@ constexpr const char* kSentences[] = {
                       "%1 packets got lost on the way in the last seconds: cable, switch or Wi-Fi"),
     QT_TRANSLATE_NOOP("Sentence",
                       "%1 packet got lost on the way in the last seconds: cable, switch or Wi-Fi"),
+    QT_TRANSLATE_NOOP(
+        "Sentence",
+        "two Art-Net time codes run, of %1 and %2: what follows the time code jumps from one to the other"),
     QT_TRANSLATE_NOOP("Sentence", "no levels"),
     QT_TRANSLATE_NOOP("Sentence", "behind preview"),
     QT_TRANSLATE_NOOP("Sentence", "lower priority"),

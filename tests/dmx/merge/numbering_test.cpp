@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // Sequence numbers that do not count up, and senders that share an identity.
 #include "dmx/merge/merge.h"
+#include "net/socket.h"
 #include "support/desk.h"
+#include "support/must.h"
 
 #include <gtest/gtest.h>
 
 #include <functional>
+#include <string>
 #include <vector>
 
 namespace ghost::dmx {
@@ -13,6 +16,10 @@ namespace {
 
 using namespace std::chrono_literals;
 using std::chrono::nanoseconds;
+
+std::uint8_t flash(int i) {
+    return static_cast<std::uint8_t>(i % 2 * 255);
+}
 
 TEST(Merge, numbers_that_stand_still_and_that_jump) {
     Merge merge;
@@ -36,8 +43,9 @@ TEST(Merge, numbers_that_stand_still_and_that_jump) {
     ASSERT_EQ(sources.size(), 3u);
     EXPECT_NEAR(sources[0].late_hz, 40.0, 1.0);
     EXPECT_LT(sources[0].rate_hz, 1.0);
-    EXPECT_EQ(sources[0].back_hz, 0.0);
-    EXPECT_NEAR(sources[1].back_hz, 40.0, 2.0) << "at each turn";
+    EXPECT_FALSE(sources[0].is_shared);
+    EXPECT_TRUE(sources[1].is_shared);
+    EXPECT_FALSE(sources[2].is_shared);
     EXPECT_NEAR(sources[2].late_hz, 40.0, 1.0);
     EXPECT_NEAR(sources[2].rate_hz, 40.0, 1.0);
 }
@@ -65,20 +73,20 @@ TEST(Merge, one_row_of_numbers_for_several_universes_is_no_loss) {
     EXPECT_TRUE(sources[0].has_gaps);
     EXPECT_FALSE(sources[1].has_gaps);
     EXPECT_TRUE(sources[3].has_gaps);
-    EXPECT_EQ(sources[3].back_hz, 0.0) << "its look does not jump with its numbers";
+    EXPECT_FALSE(sources[3].is_shared) << "its look does not jump with its numbers";
     EXPECT_GE(merge.counters().lost, 8u);
     EXPECT_LE(merge.counters().lost, 12u) << "of the one that loses a tenth";
 }
 
 TEST(Merge, who_sends_other_packets_under_the_same_identity) {
-    // A desk that fades, and what comes by another address: its packets so many later, or of a row of its
-    // own.
+    // A desk that fades, and what comes by another address: its packets so many later, numbered alike or in
+    // a row of their own.
     const auto double_of = [](int late, bool other_levels, bool own_row) {
         Merge merge;
         Desk desk{1};
         std::vector<Packet> sent;
-        for (int i = 0; i < 60; ++i) {
-            sent.push_back(desk.packet({own_row ? 10 : i}));
+        for (int i = 0; i < 120; ++i) {
+            sent.push_back(desk.packet({i}));
             sent.back().from = IpAddress(0x0A000001);
             merge.feed(sent.back(), i * 25ms);
             if (i < late) continue;
@@ -88,7 +96,7 @@ TEST(Merge, who_sends_other_packets_under_the_same_identity) {
             if (own_row) packet.sequence = static_cast<std::uint8_t>(packet.sequence + 100);
             merge.feed(packet, i * 25ms + 1ms);
         }
-        return merge.sources(1500ms).at(0).double_from;
+        return merge.sources(3s).at(0).double_from;
     };
     for (const int late : {0, 2, 7, 25}) {
         EXPECT_FALSE(double_of(late, false, false))
@@ -96,12 +104,28 @@ TEST(Merge, who_sends_other_packets_under_the_same_identity) {
         EXPECT_EQ(double_of(late, true, false), IpAddress(0x0A000002))
             << "numbered alike by chance, " << late;
     }
-    EXPECT_FALSE(double_of(0, false, true)) << "each card has numbers of its own";
-    EXPECT_EQ(double_of(0, true, true), IpAddress(0x0A000002));
+    for (const int late : {0, 1, 3, 25}) {
+        EXPECT_FALSE(double_of(late, false, true)) << "each card has numbers of its own, " << late;
+        EXPECT_EQ(double_of(late, true, true), IpAddress(0x0A000002));
+    }
+    // Of three ways, one by IPv6, each with its own numbers, none is another desk; a fourth one is.
+    for (const bool is_cloned : {false, true}) {
+        Merge merge;
+        Desk rows[4] = {{1}, {1}, {1}, {1}};
+        for (int i = 0; i < 400; ++i)
+            for (int way = 0; way < (is_cloned ? 4 : 3); ++way) {
+                rows[way].sequence = static_cast<std::uint8_t>(i + 50 * way);
+                Packet packet = rows[way].packet({way == 3 ? 70 : flash(i / 3)});
+                packet.from = IpAddress(0x0A000001 + static_cast<std::uint32_t>(way));
+                if (way == 2) packet.from = must(parse_address("fe80::1"));
+                merge.feed(packet, i * 25ms + way * 1ms);
+            }
+        EXPECT_EQ(merge.sources(10s).at(0).double_from.has_value(), is_cloned);
+    }
     // The other way may be the quicker one.
     Merge ahead;
     Desk quick{1}, slow{1};
-    for (int i = 0; i < 40; ++i) {
+    for (int i = 0; i < 80; ++i) {
         Packet packet = slow.packet({10});
         packet.from = IpAddress(0x0A000001);
         ahead.feed(packet, i * 25ms);
@@ -110,7 +134,7 @@ TEST(Merge, who_sends_other_packets_under_the_same_identity) {
         packet.from = IpAddress(0x0A000002);
         ahead.feed(packet, i * 25ms + 1ms);
     }
-    EXPECT_EQ(ahead.sources(1s).at(0).double_from, IpAddress(0x0A000002));
+    EXPECT_EQ(ahead.sources(2s).at(0).double_from, IpAddress(0x0A000002));
     Merge merge;
     Desk before{1}, after{1}; // it gets another address, and counts anew
     after.sequence = static_cast<std::uint8_t>(before.sequence + 100);
@@ -160,52 +184,130 @@ TEST(Merge, a_desk_that_begins_anew_lost_nothing) {
     EXPECT_EQ(merge.counters().lost, 40u);
 }
 
-TEST(Merge, two_programs_without_numbers_are_told_by_their_ports) {
-    const auto level = [](int i) { return static_cast<std::uint8_t>(i % 2 * 255); };
-    const SourceStatus two = after_two_seconds([](Merge& merge, int i, nanoseconds now) {
-        merge.feed(unnumbered(10, 6454), now);
-        merge.feed(unnumbered(static_cast<std::uint8_t>(100 + i), 40021), now);
-    });
-    EXPECT_NEAR(two.back_hz, 40.0, 2.0);
-    EXPECT_EQ(two.port, 6454);
-    EXPECT_EQ(two.other_port, 40021);
-    EXPECT_EQ(after_two_seconds([&](Merge& merge, int i, nanoseconds now) {
-                  merge.feed(unnumbered(level(i), 40021), now);
-              }).back_hz,
-              0.0)
-        << "one that flashes";
-    EXPECT_EQ(after_two_seconds([&](Merge& merge, int i, nanoseconds now) {
-                  merge.feed(unnumbered(level(i / 2), static_cast<std::uint16_t>(1025 + i * 7919 % 64000)),
-                             now);
-              }).back_hz,
-              0.0)
-        << "one that flashes and takes a new port for each packet";
-    EXPECT_EQ(after_two_seconds([](Merge& merge, int, nanoseconds now) {
-                  merge.feed(unnumbered(10, 6454), now);
-                  merge.feed(unnumbered(10, 40021), now);
-              }).back_hz,
-              0.0)
-        << "the same look by both";
+Packet with_level(Packet packet, std::uint8_t level) {
+    packet.slots[0] = level;
+    return packet;
 }
 
-TEST(Merge, one_number_with_two_looks_is_two_senders) {
-    Desk one{1}, other{1}, twice{1};
-    const auto with_level = [](Packet packet, std::uint8_t level) {
-        packet.slots[0] = level;
-        return packet;
+TEST(Merge, two_programs_without_numbers_are_told_by_their_ports) {
+    for (const bool lower_moves : {false, true}) {
+        const SourceStatus two = after_two_seconds([&](Merge& merge, int i, nanoseconds now) {
+            const auto moving = static_cast<std::uint8_t>(100 + i);
+            merge.feed(unnumbered(lower_moves ? moving : 10, 6454), now);
+            merge.feed(unnumbered(lower_moves ? 10 : moving, 40021), now);
+        });
+        EXPECT_TRUE(two.is_shared) << lower_moves;
+        EXPECT_EQ(two.port, 6454);
+        EXPECT_EQ(two.other_port, 40021);
+    }
+    EXPECT_TRUE(after_two_seconds([](Merge& merge, int i, nanoseconds now) {
+                    Packet numbered = unnumbered(10, 6454);
+                    numbered.sequence = static_cast<std::uint8_t>(i % 255 + 1);
+                    merge.feed(numbered, now);
+                    merge.feed(unnumbered(99, 6454), now);
+                }).is_shared)
+        << "one numbered and one not, by one port";
+    EXPECT_FALSE(after_two_seconds([&](Merge& merge, int i, nanoseconds now) {
+                     merge.feed(unnumbered(flash(i), 40021), now);
+                 }).is_shared)
+        << "one that flashes";
+    EXPECT_FALSE(after_two_seconds([&](Merge& merge, int i, nanoseconds now) {
+                     merge.feed(unnumbered(flash(i / 2), static_cast<std::uint16_t>(1025 + i * 7919 % 64000)),
+                                now);
+                 }).is_shared)
+        << "one that flashes and takes a new port for each packet";
+    EXPECT_FALSE(after_two_seconds([](Merge& merge, int, nanoseconds now) {
+                     merge.feed(unnumbered(10, 6454), now);
+                     merge.feed(unnumbered(10, 40021), now);
+                 }).is_shared)
+        << "the same look by both";
+    EXPECT_FALSE(after_two_seconds([](Merge& merge, int i, nanoseconds now) {
+                     merge.feed(unnumbered(flash(i / 2), static_cast<std::uint16_t>(6454 + i % 2 * 100)),
+                                now);
+                 }).is_shared)
+        << "two sockets by turns, and a strobe";
+    EXPECT_FALSE(after_two_seconds([](Merge& merge, int i, nanoseconds now) {
+                     merge.feed(unnumbered(static_cast<std::uint8_t>(i), 6454), now);
+                     if (i > 3) merge.feed(unnumbered(static_cast<std::uint8_t>(i - 3), 40021), now);
+                 }).is_shared)
+        << "two sockets, a fade, and one of them is late";
+}
+
+// How far the numbers of the second are ahead, and every how many packets of the first it sends one.
+TEST(Merge, a_program_that_was_started_twice_is_told_whatever_its_numbers) {
+    for (const int every : {1, 4, 20})
+        for (const int ahead : {0, 1, 2, 5, 19, 20, 64, 127, 128, 129, 192, 236, 237, 250, 254, 255})
+            for (const bool moves : {false, true}) {
+                Merge merge;
+                Desk one{1}, other{1};
+                other.sequence = static_cast<std::uint8_t>(one.sequence + ahead);
+                for (int i = 0; i < 320; ++i) {
+                    const nanoseconds now = i * 25ms;
+                    merge.feed(
+                        with_level(one.packet({2}), static_cast<std::uint8_t>(moves ? 100 + i % 100 : 9)),
+                        now);
+                    if (i % every == 0) merge.feed(with_level(other.packet({3}), 70), now + 3ms);
+                    merge.tick(now + 5ms);
+                }
+                const std::string what = std::to_string(ahead) + " ahead, every " + std::to_string(every) +
+                                         (moves ? ", moving" : "");
+                EXPECT_TRUE(merge.sources(8s).at(0).is_shared) << what;
+                EXPECT_EQ(merge.counters().lost, 0u) << what;
+            }
+}
+
+TEST(Merge, one_sender_on_a_bad_network_is_one_whatever_it_shows) {
+    // Every third packet comes twice, every fifth one after its successor, every eleventh never.
+    const auto shared = [](const std::function<std::uint8_t(int)>& level, bool is_artnet) {
+        Merge merge;
+        Desk desk{1};
+        std::vector<Packet> sent;
+        for (int i = 0; i < 400; ++i) {
+            Packet packet = is_artnet ? unnumbered(0, 6454) : desk.packet({0});
+            if (is_artnet) packet.sequence = static_cast<std::uint8_t>(i % 255 + 1);
+            sent.push_back(with_level(packet, level(i)));
+        }
+        for (int i = 0; i + 1 < 400; ++i) {
+            const nanoseconds now = i * 25ms;
+            const auto at = [&](int index) { return sent[static_cast<std::size_t>(index)]; };
+            if (i % 5 == 0) merge.feed(at(i + 1), now);
+            if (i % 11 != 0) merge.feed(at(i), now);
+            if (i % 3 == 0) merge.feed(at(i), now + 1ms);
+            merge.tick(now);
+            if (merge.sources(now).at(0).is_shared) return true;
+        }
+        return false;
     };
-    EXPECT_NEAR(after_two_seconds([&](Merge& merge, int, nanoseconds now) {
-                    merge.feed(with_level(one.packet({2}), 9), now);
-                    merge.feed(with_level(other.packet({3}), 70), now);
-                }).back_hz,
-                40.0, 2.0);
-    EXPECT_EQ(after_two_seconds([&](Merge& merge, int, nanoseconds now) {
-                  const Packet packet = twice.packet({4});
-                  merge.feed(packet, now);
-                  merge.feed(packet, now);
-              }).back_hz,
-              0.0)
+    for (const bool is_artnet : {false, true}) {
+        EXPECT_FALSE(shared([](int) { return std::uint8_t{9}; }, is_artnet)) << "at rest";
+        EXPECT_FALSE(shared(flash, is_artnet)) << "flashes with every packet";
+        EXPECT_FALSE(shared([](int i) { return flash(i / 3); }, is_artnet)) << "flashes";
+        EXPECT_FALSE(shared([](int i) { return static_cast<std::uint8_t>(i / 2); }, is_artnet)) << "fades";
+        EXPECT_FALSE(shared([](int i) { return static_cast<std::uint8_t>(i / 40); }, is_artnet)) << "steps";
+    }
+}
+
+TEST(Merge, the_same_packet_twice_is_no_second_sender) {
+    Desk twice{1};
+    EXPECT_FALSE(after_two_seconds([&](Merge& merge, int i, nanoseconds now) {
+                     const Packet packet = with_level(twice.packet({4}), flash(i));
+                     merge.feed(packet, now);
+                     merge.feed(packet, now);
+                 }).is_shared)
         << "the network brings every packet twice";
+}
+
+TEST(Merge, a_desk_that_begins_anew_is_one_desk) {
+    for (const int back : {1, 5, 18, 19, 20, 100, 128}) {
+        Merge merge;
+        Desk desk{1};
+        for (int i = 0; i < 300; ++i) {
+            if (i == 120) desk.sequence = static_cast<std::uint8_t>(desk.sequence - back);
+            merge.feed(with_level(desk.packet({0}), i < 120 ? 200 : 10), i * 25ms);
+            merge.tick(i * 25ms);
+            ASSERT_FALSE(merge.sources(i * 25ms).at(0).is_shared) << back << " back, " << i;
+        }
+    }
 }
 
 TEST(Merge, a_universe_without_a_single_slot_does_not_arrive) {

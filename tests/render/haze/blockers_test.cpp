@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render/haze/private/blockers.h"
 
+#include "passes/distance_maps.h"
 #include "shared/blockers.h"
 
 #include <glm/gtc/packing.hpp>
@@ -89,25 +90,29 @@ TEST(Blockers, EvenSmallMapsKeepEnoughCellsToLookAround) {
     EXPECT_EQ(blocker_levels(1), 1u);
 }
 
-TEST(Blockers, a_block_that_changed_is_as_in_the_whole_map) {
-    constexpr std::uint32_t kWide = 256, kBlock = 64;
+// Blocks are smaller than the coarsest cells.
+TEST(Blockers, blocks_that_changed_are_as_in_the_whole_map) {
+    constexpr std::uint32_t kWide = 256, kBlock = scene::kDistanceBlock, kAcross = kWide / kBlock;
     std::vector<std::uint16_t> texels(kWide * kWide);
     for (std::uint32_t k = 0; k < texels.size(); ++k)
         texels[k] = glm::packHalf1x16(1.0f + static_cast<float>((k * 2654435761u) >> 24));
     auto levels = blockers_of(texels, kWide);
-    for (std::uint32_t y = 128; y < 192; ++y)
-        for (std::uint32_t x = 64; x < 128; ++x)
+    const std::vector<int> blocks{5, 6, 6 + kAcross, static_cast<int>(kAcross * kAcross) - 1};
+    for (const int block : blocks)
+        for (std::uint32_t k = 0; k < kBlock * kBlock; ++k) {
+            const std::uint32_t x = static_cast<std::uint32_t>(block) % kAcross * kBlock + k % kBlock,
+                                y = static_cast<std::uint32_t>(block) / kAcross * kBlock + k / kBlock;
             texels[y * kWide + x] = glm::packHalf1x16(0.5f + static_cast<float>((x * y) % 7));
+        }
     const auto wanted = blockers_of(texels, kWide);
-    const auto same = [&] {
-        for (std::size_t l = 0; l < wanted.size(); ++l)
-            if (std::memcmp(wanted[l].data(), levels[l].data(), wanted[l].size() * sizeof(Blockers)) != 0)
-                return false;
-        return levels.size() == wanted.size();
+    const auto same = [&](std::size_t l) {
+        return std::memcmp(wanted[l].data(), levels[l].data(), wanted[l].size() * sizeof(Blockers)) == 0;
     };
-    EXPECT_FALSE(same());
-    update_blockers(texels, kWide, 64, 128, kBlock, levels);
-    EXPECT_TRUE(same());
+    ASSERT_EQ(levels.size(), wanted.size());
+    for (std::size_t l = 0; l < wanted.size(); ++l) EXPECT_FALSE(same(l)) << l;
+    for (const BlockerSquare& square : squares_of(blocks, kBlock, kWide))
+        update_blockers(texels, kWide, square, levels);
+    for (std::size_t l = 0; l < wanted.size(); ++l) EXPECT_TRUE(same(l)) << l;
 }
 
 } // namespace

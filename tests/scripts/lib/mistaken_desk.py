@@ -38,8 +38,17 @@ def announcement(one):
 
 
 def artdmx(one, sequence, slots):
-    head = b"Art-Net\0" + struct.pack("<H", 0x5000) + bytes([0, one.get("version", 14), 0 if one.get("unnumbered") else sequence % 255 + 1, 0])
+    number, physicals = 0 if one.get("unnumbered") else sequence % 255 + 1, one.get("physicals", [0])
+    head = b"Art-Net\0" + struct.pack("<H", 0x5000) + bytes([0, one.get("version", 14), number, physicals[sequence % len(physicals)]])
     return head + struct.pack("<H", one["universe"]) + struct.pack(">H", len(slots)) + slots
+
+
+def artpoll():
+    return b"Art-Net\0" + struct.pack("<H", 0x2000) + bytes([0, 14, 0, 0])
+
+
+def arttimecode(count):
+    return b"Art-Net\0" + struct.pack("<H", 0x9700) + bytes([0, 14, 0, 0, count % 25, count // 25 % 60, 0, 10, 1])
 
 
 def group(universe):
@@ -53,7 +62,11 @@ for one in spec:
     out = one["out"] = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
     out.setsockopt(socket.SOL_SOCKET, socket.SO_BROADCAST, 1)
     out.setsockopt(socket.IPPROTO_IP, socket.IP_MULTICAST_IF, socket.inet_aton(interface))
-    out.bind((one.get("bind", "0.0.0.0"), 0))
+    out.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
+    out.bind((one.get("bind", "0.0.0.0"), one.get("port", 0)))
+    if one.get("by_turns"):  # two sockets
+        one["outs"] = [out, socket.socket(socket.AF_INET, socket.SOCK_DGRAM)]
+        one["outs"][1].setsockopt(socket.SOL_SOCKET, socket.SO_BROADCAST, 1)
     slots = bytearray(one.get("slots", 512))
     for address, value in one["levels"].items():
         slots[int(address) - 1] = value
@@ -63,6 +76,16 @@ for one in spec:
         twin = one["twin_out"] = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
         twin.setsockopt(socket.IPPROTO_IP, socket.IP_MULTICAST_IF, socket.inet_aton(interface))
         twin.bind((one["twin"], 0))
+
+
+def look(one):
+    """What it shows now: channel 40 flashes for so many packets, or moves."""
+    slots = bytearray(one["data"])
+    if "flashes" in one:
+        slots[39] = count // one["flashes"] % 2 * 255
+    for address in one.get("moves", []):
+        slots[address - 1] = 1 + count % 200
+    return bytes(slots)
 
 
 def send(one, packet, to, port):
@@ -79,8 +102,14 @@ while True:
     for one in spec:
         if one.get("announces") and count % 40 == 0:
             send(one, announcement(one), group(64214), 5568)
-        if one.get("silent"):
+        if one.get("polls") and count % 40 == 0:
+            send(one, artpoll(), "10.93.0.255", 6454)
+        if one.get("timecode"):
+            send(one, arttimecode(count), "10.93.0.255", 6454)
+        if one.get("silent") or count % one.get("every", 1) != 0:
             continue
+        if "outs" in one:
+            one["out"] = one["outs"][count % 2]
         if "stops_s" in one and passed > one["stops_s"]:
             if one.pop("goodbye", False):
                 for _ in range(3):
@@ -88,14 +117,14 @@ while True:
                     send(one, data(one, one["sequence"], b"", 0x40), group(one["universe"]), 5568)
             continue
         if one["protocol"] == "artnet":
-            send(one, artdmx(one, one.get("number", count), one["data"]), one.get("to", "10.93.0.255"), 6454)
+            send(one, artdmx(one, one.get("number", count // one.get("every", 1) + one.get("first_number", 0)), look(one)), one.get("to", "10.93.0.255"), 6454)
             continue
         to = one.get("to", group(one["universe"]))
         one["sequence"] += 1
         number = one.get("number", one["sequence"] * one.get("step", 1))
-        options, start_code, slots = one.get("options", 0), 0, one["data"]
+        options, start_code, slots = one.get("options", 0), 0, look(one)
         if "per_address" in one and (number % 5 == 1 or one.get("priorities_alone")):
-            start_code, slots = 0xDD, bytes([one["per_address"]]) * 512
+            start_code, slots = 0xDD, bytes([one["per_address"]]) * one.get("per_address_count", 512)
         if passed > one.get("bad_after_s", 1e9):
             one["priority"] = 250
         if number % one.get("blind_every", 1 << 30) == 0 or passed > one.get("blind_after_s", 1e9):
@@ -107,9 +136,13 @@ while True:
             packet = packet[:126 + one["cut"]]
         if number % one.get("loses", 1 << 30) != 0:
             send(one, packet, to, 5568)
+            if one.get("twice"):
+                send(one, packet, to, 5568)
             if "twin" in one:
+                if "twin_first_number" in one:
+                    packet = data(one, number + one["twin_first_number"], slots, options, start_code)
                 one["twin_out"].sendto(packet, (to, 5568))
-        if "sync" in one and passed < one.get("sync_stops_s", 1e9):
+        if "sync" in one and passed < one.get("sync_stops_s", 1e9) and count % one.get("sync_every", 1) == 0:
             send(one, sync(one, number), group(one["sync"]), 5568)
     if count == 0:
         print("sending", flush=True)

@@ -27,8 +27,22 @@ std::uint32_t blocker_levels(std::uint32_t side);
 // Level after level, cells row by row. texels: half floats above zero, side x side.
 std::vector<std::vector<Blockers>> blockers_of(const std::vector<std::uint16_t>& texels, std::uint32_t side);
 
-// The same of a square of so many texels, which begins at a multiple of them; levels: of the whole map.
-void update_blockers(const std::vector<std::uint16_t>& texels, std::uint32_t side, std::uint32_t x,
-                     std::uint32_t y, std::uint32_t width, std::vector<std::vector<Blockers>>& levels);
+// A part of a map, texels.
+struct BlockerSquare {
+    std::uint32_t x = 0;
+    std::uint32_t y = 0;
+    std::uint32_t width = 0;
+};
+
+// A square of blocks of so many texels a side that has whole cells of every level: texels a side.
+std::uint32_t blocker_unit(std::uint32_t block, std::uint32_t side);
+// Such squares, which hold these blocks, numbered row by row. side: a multiple of them.
+std::vector<BlockerSquare> squares_of(const std::vector<int>& blocks, std::uint32_t block,
+                                      std::uint32_t side);
+
+// The same as blockers_of in a square that begins at a multiple of its width, which is at least that of the
+// coarsest cell; levels: of the whole map.
+void update_blockers(const std::vector<std::uint16_t>& texels, std::uint32_t side,
+                     const BlockerSquare& square, std::vector<std::vector<Blockers>>& levels);
 
 } // namespace ghost::render

@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: Apache-2.0
+// What stations may ask of one: connections, offers, plots, bytes and time, and what is left for others.
+#include "xchange_stations.h"
+
+namespace ghost::app {
+namespace {
+
+TEST(XchangeStations, visitors_that_say_nothing_or_nonsense_leave_room_for_others) {
+    const Folder folder;
+    const std::string content = write_plot(folder.path / "tour.mvr", 100'000);
+    XchangeOptions sharing = station("A");
+    sharing.share = {folder.path / "tour.mvr"};
+    const auto a = start(sharing);
+    std::vector<std::unique_ptr<dmx::TcpStream>> visitors;
+    for (int i = 0; i < 300; ++i) {
+        auto visitor = dmx::TcpStream::connect(dmx::IpAddress(0x7F000001), a->port());
+        if (!visitor.ok()) break;
+        visitors.push_back(std::move(*visitor));
+        const std::string bytes = i % 3 == 0 ? std::string(100, 'x') : package("{").substr(0, 29);
+        std::this_thread::sleep_for(1ms);
+        if (i % 3 != 2)
+            (void)visitors.back()->send({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()});
+    }
+    ASSERT_GT(visitors.size(), 100u);
+    XchangeOptions saving = station("B");
+    saving.save = folder.path / "come";
+    saving.peers = {at(a->port())};
+    const auto b = start(saving);
+    const auto received = wait_for(*b, Kind::received, 40s);
+    ASSERT_TRUE(received.has_value());
+    EXPECT_EQ(content_of(received->file), content);
+}
+
+TEST(XchangeStations, a_thousand_offers_are_bounded) {
+    const Folder folder;
+    std::atomic<int> requests{0};
+    std::string commits;
+    for (int i = 0; i < 1000; ++i)
+        commits +=
+            package(R"({"Type":"MVR_COMMIT","StationUUID":"f","FileUUID":"c)" + std::to_string(i) + "\"}");
+    const Forged forged([&](const scene::XchangeMessage& message) -> std::string {
+        if (message.type == "MVR_REQUEST") ++requests;
+        if (message.type == "MVR_REQUEST") return package(R"({"Type":"MVR_REQUEST_RET","OK":false})");
+        if (message.type != "MVR_JOIN") return "";
+        return commits + package(R"({"Type":"MVR_JOIN_RET","OK":true,"StationUUID":"f"})");
+    });
+    XchangeOptions options = station("B");
+    options.save = folder.path / "come";
+    options.peers = {at(forged.port())};
+    const auto b = start(options);
+    const auto joined = wait_for(*b, Kind::joined);
+    ASSERT_TRUE(joined.has_value());
+    std::this_thread::sleep_for(1s);
+    EXPECT_LE(requests, 300); // at most 256 wait at a time
+    EXPECT_LE(b->take().size(), 1000u);
+}
+
+// Somebody who asks and asks, and never reads what he is answered.
+TEST(XchangePeer, answers_that_nobody_reads_have_an_end) {
+    const auto listener = dmx::TcpListener::open(0x7F000001, 0);
+    ASSERT_TRUE(listener.ok());
+    auto visitor = dmx::TcpStream::connect(dmx::IpAddress(0x7F000001), (*listener)->port());
+    ASSERT_TRUE(visitor.ok());
+    std::unique_ptr<dmx::TcpStream> stream;
+    while (!(stream = (*listener)->accept())) std::this_thread::sleep_for(1ms);
+    XchangePeer peer(std::move(stream), 0);
+    scene::XchangeMessage answer;
+    answer.type = "MVR_JOIN_RET";
+    answer.commits.resize(200);
+    for (scene::XchangeCommit& commit : answer.commits) commit.comment = std::string(200, 'x');
+    std::string question = package(R"({"Type":"MVR_JOIN"})"), questions;
+    while (questions.size() < 60'000) questions += question;
+    Result<void> turned;
+    std::size_t most = 0;
+    for (int round = 0; round < 200 && turned.ok(); ++round) {
+        (void)(*visitor)->send({reinterpret_cast<const std::uint8_t*>(questions.data()), questions.size()});
+        turned = peer.turn(0, {[&](const scene::XchangeMessage&) {
+                                   peer.say(answer);
+                                   most = std::max(most, peer.waiting_bytes());
+                               },
+                               [](Bytes, bool) -> Result<void> { return {}; }});
+        std::this_thread::sleep_for(1ms);
+    }
+    EXPECT_FALSE(turned.ok());
+    EXPECT_LT(most, 5u << 20);
+}
+
+TEST(XchangeStations, plots_of_ever_new_numbers_are_counted) {
+    const Folder folder;
+    std::atomic<int> requests{0};
+    const std::string plot = package(std::string("PK\3\4xyz", 7), scene::XchangePayload::file);
+    const Forged forged([&](const scene::XchangeMessage& message) -> std::string {
+        if (message.type == "MVR_JOIN")
+            return package(R"({"Type":"MVR_JOIN_RET","OK":true,"StationUUID":"f"})");
+        if (message.type != "MVR_REQUEST") return "";
+        ++requests;
+        return plot;
+    });
+    XchangeOptions options = station("B");
+    options.save = folder.path / "come";
+    options.peers = {at(forged.port())};
+    const auto b = start(options);
+    ASSERT_TRUE(wait_for(*b, Kind::joined).has_value());
+    const auto visitor = must(dmx::TcpStream::connect(dmx::IpAddress(0x7F000001), b->port()));
+    constexpr int kAtOnce = 200, kRounds = 6, kMostTaken = 1000;
+    for (int round = 1; round <= kRounds; ++round) {
+        std::string commits;
+        for (int k = 0; k < kAtOnce; ++k)
+            commits += package(R"({"Type":"MVR_COMMIT","StationUUID":"f","FileUUID":")" +
+                               std::to_string(round * kAtOnce + k) + "\"}");
+        ASSERT_EQ(visitor->send({reinterpret_cast<const std::uint8_t*>(commits.data()), commits.size()}),
+                  commits.size());
+        const int wanted = std::min(round * kAtOnce, kMostTaken);
+        for (int k = 0; k < 3000 && requests < wanted; ++k) std::this_thread::sleep_for(10ms);
+        ASSERT_EQ(requests, wanted);
+    }
+    std::this_thread::sleep_for(300ms);
+    EXPECT_EQ(requests, kMostTaken);
+    const auto said = wait_for(*b, Kind::trouble);
+    ASSERT_TRUE(said.has_value());
+    EXPECT_NE(said->text.find("more plots at once than are taken"), std::string::npos) << said->text;
+}
+
+TEST(XchangeStations, the_plots_of_a_session_have_so_many_bytes_and_no_more) {
+    const Folder folder;
+    const std::string content = write_plot(folder.path / "tour.mvr", 50'000);
+    XchangeOptions sharing = station("A");
+    sharing.share = {folder.path / "tour.mvr"};
+    const auto a = start(sharing);
+    XchangeOptions saving = station("B");
+    EXPECT_EQ(saving.most_bytes, 16ull << 30);
+    saving.save = folder.path / "come";
+    saving.peers = {at(a->port())};
+    saving.most_bytes = content.size();
+    {
+        const auto b = start(saving);
+        const auto received = wait_for(*b, Kind::received);
+        ASSERT_TRUE(received.has_value());
+        EXPECT_EQ(content_of(received->file), content);
+    }
+    saving.most_bytes = content.size() - 1;
+    const auto b = start(saving);
+    const auto said = wait_for(*b, Kind::trouble);
+    ASSERT_TRUE(said.has_value());
+    EXPECT_NE(said->text.find("more than " + std::to_string(content.size() - 1) + " bytes"),
+              std::string::npos)
+        << said->text;
+    std::size_t files = 0;
+    for (const auto& entry : fs::directory_iterator(folder.path / "come")) files += entry.is_regular_file();
+    EXPECT_EQ(files, 1u) << "nothing of it is left";
+}
+
+// Four stations that bring a byte now and then do not hold the places of others for half an hour.
+TEST(XchangeStations, slow_stations_give_their_places_to_those_that_wait) {
+    const Folder folder;
+    const std::string content = write_plot(folder.path / "tour.mvr", 100'000);
+    std::uint16_t late_port = 0;
+    {
+        const auto reserved = dmx::TcpListener::open(0x7F000001, 0);
+        ASSERT_TRUE(reserved.ok());
+        late_port = (*reserved)->port();
+    }
+    XchangeOptions saving = station("B");
+    saving.save = folder.path / "come";
+    saving.peers = {at(late_port)};
+    const auto header = scene::build_xchange_header(scene::XchangePayload::file, 1u << 20);
+    const std::string begun = std::string(header.begin(), header.end()) + "PK\3\4";
+    std::atomic<int> requests{0};
+    std::vector<std::unique_ptr<Forged>> slow;
+    for (int k = 0; k < 4; ++k) {
+        slow.push_back(std::make_unique<Forged>([&, k](const scene::XchangeMessage& message) -> std::string {
+            if (message.type == "MVR_REQUEST") {
+                ++requests;
+                return begun;
+            }
+            if (message.type != "MVR_JOIN") return "";
+            const std::string number = std::to_string(k);
+            return package(R"({"Type":"MVR_JOIN_RET","OK":true,"StationUUID":"f)" + number +
+                           R"(","Commits":[{"FileUUID":"slow)" + number + R"("}]})");
+        }));
+        slow.back()->trickle();
+        saving.peers.push_back(at(slow.back()->port()));
+    }
+    const auto b = start(saving);
+    while (requests < 4) std::this_thread::sleep_for(10ms);
+    XchangeOptions sharing = station("A");
+    sharing.share = {folder.path / "tour.mvr"};
+    sharing.port = late_port;
+    const auto a = start(sharing);
+    const auto received = wait_for(*b, Kind::received, 90s);
+    ASSERT_TRUE(received.has_value());
+    EXPECT_EQ(content_of(received->file), content);
+}
+
+} // namespace
+} // namespace ghost::app
