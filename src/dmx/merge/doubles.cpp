@@ -25,10 +25,12 @@ void LookPair::add(int stream, const Levels& levels, std::chrono::nanoseconds no
     if (now - start_ >= kCompared) conclude(now);
     Stream& one = streams_[static_cast<std::size_t>(stream)];
     const Stream& other = streams_[static_cast<std::size_t>(1 - stream)];
-    if (one.known)
+    if (one.known && levels != one.levels)
         for (std::size_t i = 0; i < levels.size(); ++i)
             one.moved[i] = static_cast<std::uint8_t>(one.moved[i] | (one.levels[i] ^ levels[i]));
-    if (other.known)
+    if (other.known && levels == other.levels)
+        met_.fill(1);
+    else if (other.known)
         for (std::size_t i = 0; i < levels.size(); ++i)
             met_[i] = static_cast<std::uint8_t>(met_[i] | (levels[i] == other.levels[i] ? 1 : 0));
     one.levels = levels;
@@ -73,7 +75,8 @@ std::optional<int> SharedRows::row_of(const Packet& packet, bool numbered) const
         const int step = static_cast<std::uint8_t>(packet.sequence - row.number);
         if (step == 0 || step > best_step || step > kMostMissed) continue;
         if (step == best_step &&
-            distance(packet.slots, pair_.newest(i)) >= distance(packet.slots, pair_.newest(1 - i)))
+            (pair_.newest(i) == pair_.newest(1 - i) ||
+             distance(packet.slots, pair_.newest(i)) >= distance(packet.slots, pair_.newest(1 - i))))
             continue;
         best = i;
         best_step = step;
