@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Doubles: whether two senders hide behind one identity, told by what they show over time. LookPair compares
 // two streams of levels: they are two senders' where for a second a channel differs in every comparison and
-// stands still in one of them. A copy, however late, has the same level at some time; one that moves in both
-// tells nothing. SharedRows finds the streams in what comes one way: two rows of numbers that each count up,
-// two ports that unnumbered packets come from, or numbered ones and others. No clock.
+// stands still in one of them. A copy that is less than a second late has the same level at some time; one
+// that moves in both tells nothing. SharedRows finds the streams in what comes one way: two rows of numbers
+// that each count up, two ports that unnumbered packets come from, or numbered ones and others. No clock.
 
 #include "dmx/wire/packet.h"
 

@@ -86,12 +86,14 @@ void LevelSource::note_other_way(const Packet& packet, std::chrono::nanoseconds 
     const bool same =
         other_ && other_->from == packet.from && other_->interface_index == packet.interface_index;
     if (!same) {
-        if (other_ && (!other_->pair.concluded() || other_->pair.differ(now))) return;
+        const bool is_there = other_ && now - other_->heard <= kWaySilence;
+        if (is_there && (!other_->pair.concluded() || other_->pair.differ(now))) return;
         other_ = std::make_unique<OtherWay>();
         other_->from = packet.from;
         other_->interface_index = packet.interface_index;
         other_->pair.restart(now);
     }
+    other_->heard = now;
     other_->pair.add(1, packet.slots, now);
 }
 

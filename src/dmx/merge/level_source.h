@@ -123,6 +123,7 @@ private:
     struct OtherWay {
         IpAddress from;
         unsigned interface_index = 0;
+        std::chrono::nanoseconds heard{0};
         LookPair pair; // 0: the way that counts
     };
     std::unique_ptr<OtherWay> other_;  // while there is one

@@ -122,6 +122,18 @@ TEST(Merge, who_sends_other_packets_under_the_same_identity) {
             }
         EXPECT_EQ(merge.sources(10s).at(0).double_from.has_value(), is_cloned);
     }
+    // Who sent once and went does not hide who came after.
+    Merge later;
+    Desk own{1}, gone{1}, clone{1};
+    for (int i = 0; i < 400; ++i) {
+        Packet packet = own.packet({10});
+        packet.from = IpAddress(0x0A000001);
+        later.feed(packet, i * 25ms);
+        packet = i == 10 ? gone.packet({10}) : clone.packet({99});
+        packet.from = IpAddress(i == 10 ? 0x0A000002 : 0x0A000003);
+        if (i >= 10) later.feed(packet, i * 25ms + 1ms);
+    }
+    EXPECT_EQ(later.sources(10s).at(0).double_from, IpAddress(0x0A000003));
     // The other way may be the quicker one.
     Merge ahead;
     Desk quick{1}, slow{1};
