@@ -4034,12 +4034,12 @@ Bitte den Namen des Ordners prüfen.</translation>
         <translation>%1 wird auf %2 nicht gezeigt: %3 hat eine höhere Priorität</translation>
     </message>
     <message>
-        <source>%1 sends priorities per address above 200 on universe %2 for %3: there is none above 200 (E1.31), and these channels are not shown</source>
-        <translation>%1 sendet auf Universum %2 Prioritäten je Adresse über 200 für %3: über 200 gibt es keine (E1.31), und diese Kanäle werden nicht gezeigt</translation>
+        <source>%1 sends priorities per address above 200 on %2 for %3: there is none above 200 (E1.31), and it does not hold these channels</source>
+        <translation>%1 sendet auf %2 Prioritäten je Adresse über 200 für %3: über 200 gibt es keine (E1.31), und diese Kanäle hält es nicht</translation>
     </message>
     <message>
-        <source>%1 sends %2 on universe %3 and priorities per address for %4 alone: it gives the others up, and fixtures are patched there</source>
-        <translation>%1 sendet %2 auf Universum %3 und Prioritäten je Adresse nur für %4: die anderen gibt es ab, und dort sind Geräte gepatcht</translation>
+        <source>%1 sends %2 on %3 and priorities per address for %4 alone: it gives the others up, and fixtures are patched there</source>
+        <translation>%1 sendet %2 auf %3 und Prioritäten je Adresse nur für %4: die anderen gibt es ab, und dort sind Geräte gepatcht</translation>
     </message>
     <message>
         <source>%1 levels</source>

@@ -153,7 +153,7 @@ struct ScaleRow {
 };
 
 ScaleRow measure(const Views& views, const BenchOptions& options, const std::string& name, std::size_t count,
-            const Saving& saving) {
+                 const Saving& saving) {
     const render::Settings settings = settings_of(saving);
     render::Relighter relighter(views.device, views.g_buffer, &views.distances, views.gobos,
                                 static_cast<int>(count), settings);
@@ -164,11 +164,11 @@ ScaleRow measure(const Views& views, const BenchOptions& options, const std::str
                                        std::min(options.frames, 20), std::min(options.row_seconds, 3.0));
     const double lights = static_cast<double>(count);
     ScaleRow result{{"scale", name, {{"ms", measured.ms}}, std::to_string(measured.frames) + " frames"},
-               measured.ms,
-               // The table's lights share the maps of all 1000: a show of so many has as many maps.
-               static_cast<double>(relighter.memory_bytes()) -
-                   views.map_bytes * static_cast<double>(views.places.size()),
-               std::move(measured.picture)};
+                    measured.ms,
+                    // The table's lights share the maps of all 1000: a show of so many has as many maps.
+                    static_cast<double>(relighter.memory_bytes()) -
+                        views.map_bytes * static_cast<double>(views.places.size()),
+                    std::move(measured.picture)};
     std::vector<std::pair<std::string, double>>& figures = result.row.figures;
     figures.insert(figures.end(), measured.passes.begin(), measured.passes.end());
     figures.insert(figures.end(), {{"device_ms", measured.spans_ms},

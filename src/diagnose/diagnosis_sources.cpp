@@ -3,9 +3,11 @@
 // wait, packets that get lost.
 #include "base/print.h"
 #include "diagnose/diagnosis_parts.h"
+#include "dmx/wire/timecode.h"
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 namespace ghost::scene::diagnosed {
 namespace {
@@ -125,23 +127,41 @@ void add_low_priority(const dmx::Statistics& statistics, Sentences& out) {
 
 // Lists of priorities per address that give up what the source sends levels for.
 void add_priorities(const dmx::Statistics& statistics, const PatchMap& patch, Sentences& out) {
+    std::map<std::pair<std::string, int>, std::set<int>> above; // who, and for how many channels
+    std::set<int> patched;                                      // universes of which one of them is read
+    std::map<std::tuple<std::string, int, int>, std::set<int>> given_up; // who, levels, priorities
     for (const dmx::SourceStatus& source : statistics.sources) {
         if (!source.per_address_priority || source.state != dmx::SourceState::live) continue;
-        const std::string on = " on universe " + std::to_string(source.universe);
-        if (source.bad_priorities > 0)
-            out.push_back(problem(Trouble::bad_priorities,
-                                  source_text(source) + " sends priorities per address above 200" + on +
-                                      " for " + count_text(source.bad_priorities, "channel") +
-                                      ": there is none above 200 (E1.31), and these channels are not shown",
-                                  {source.universe}));
-        const bool reads_past = !patch.readers_past(source.universe, source.priority_count).empty();
-        if (source.priority_count < source.slot_count && reads_past)
-            out.push_back(note(Trouble::bad_priorities,
-                               source_text(source) + " sends " + count_text(source.slot_count, "level") + on +
-                                   " and priorities per address for " +
-                                   std::to_string(source.priority_count) +
-                                   " alone: it gives the others up, and fixtures are patched there",
-                               {source.universe}));
+        if (source.bad_priorities > 0) {
+            above[{source_text(source), source.bad_priorities}].insert(source.universe);
+            // Which ones is not known: more than nothing reads are read in part.
+            int unread = 0;
+            for (int address = 1; address <= dmx::kSlots; ++address)
+                unread += patch.at(source.universe, address).empty() ? 1 : 0;
+            if (source.bad_priorities > unread) patched.insert(source.universe);
+        }
+        const auto past = [&](int address) { return patch.readers_past(source.universe, address).size(); };
+        if (source.priority_count < source.slot_count &&
+            past(source.priority_count) > past(source.slot_count))
+            given_up[{source_text(source), source.slot_count, source.priority_count}].insert(source.universe);
+    }
+    for (const auto& [who, universes] : above) {
+        const bool is_read = std::any_of(universes.begin(), universes.end(),
+                                         [&](int universe) { return patched.contains(universe); });
+        const std::string said = who.first + " sends priorities per address above 200 on " +
+                                 universes_text(universes) + " for " + count_text(who.second, "channel") +
+                                 ": there is none above 200 (E1.31), and it does not hold these channels";
+        out.push_back(is_read ? problem(Trouble::bad_priorities, said, universes)
+                              : note(Trouble::bad_priorities, said, universes));
+    }
+    for (const auto& [who, universes] : given_up) {
+        const auto& [name, levels, priorities] = who;
+        out.push_back(note(Trouble::bad_priorities,
+                           name + " sends " + count_text(levels, "level") + " on " +
+                               universes_text(universes) + " and priorities per address for " +
+                               std::to_string(priorities) +
+                               " alone: it gives the others up, and fixtures are patched there",
+                           universes));
     }
 }
 
@@ -272,15 +292,18 @@ namespace {
 
 // Whoever follows them jumps from one to the other.
 void add_timecodes(const dmx::Statistics& statistics, Sentences& out) {
+    constexpr double kSame_s = 1; // two cards of one sender, two machines that follow one clock
+    const auto& [newest, other] = statistics.followed_timecodes;
     const auto runs = [&](const std::optional<dmx::TimeCodeStatus>& one) {
         return one && statistics.time - one->arrival < kSilent;
     };
-    if (!runs(statistics.timecode) || !runs(statistics.other_timecode)) return;
-    const auto text = [](const dmx::TimeCodeStatus& one) {
-        return dmx::address_text(one.from) + " (stream " + std::to_string(one.time.stream) + ")";
-    };
+    if (!runs(newest) || !runs(other)) return;
+    const double apart_s = std::chrono::duration<double>(newest->arrival - other->arrival).count();
+    if (std::abs(dmx::timecode_seconds(newest->time) - dmx::timecode_seconds(other->time) - apart_s) <=
+        kSame_s)
+        return;
     // By which came first in the alphabet, so that the sentence stands still.
-    std::set<std::string> both = {text(*statistics.timecode), text(*statistics.other_timecode)};
+    std::set<std::string> both = {dmx::address_text(newest->from), dmx::address_text(other->from)};
     out.push_back(
         note(Trouble::two_timecodes, "two Art-Net time codes run, of " + joined(both) +
                                          ": what follows the time code jumps from one to the other"));

@@ -16,8 +16,8 @@ class Uploads {
 public:
     explicit Uploads(const Device& device);
 
-    // A rectangle of one layer of one level. rows: its first texel; row_bytes: from a row to the next one;
-    // texel_bytes: as the format has them. Copied at once.
+    // A rectangle of one layer of one level, each texel once before finish(). rows: its first texel;
+    // row_bytes: from a row to the next one; texel_bytes: as the format has them. Copied at once.
     void add(const Texture& to, std::uint32_t layer, std::uint32_t level, const VkRect2D& part,
              const void* rows, std::uint64_t row_bytes, std::uint32_t texel_bytes);
     // All of a layer of a level, tightly packed.

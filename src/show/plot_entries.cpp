@@ -7,8 +7,6 @@
 #include "show/show.h"
 
 namespace ghost::scene {
-namespace {} // namespace
-
 ChangeEntry read_change(TableReader& reader) {
     ChangeEntry entry;
     entry.uuid = reader.text("uuid").value_or("");

@@ -66,7 +66,8 @@ TEST(XchangePeer, answers_that_nobody_reads_have_an_end) {
     auto visitor = dmx::TcpStream::connect(dmx::IpAddress(0x7F000001), (*listener)->port());
     ASSERT_TRUE(visitor.ok());
     std::unique_ptr<dmx::TcpStream> stream;
-    while (!(stream = (*listener)->accept())) std::this_thread::sleep_for(1ms);
+    for (int k = 0; k < 10'000 && !(stream = (*listener)->accept()); ++k) std::this_thread::sleep_for(1ms);
+    ASSERT_TRUE(stream);
     XchangePeer peer(std::move(stream), 0);
     scene::XchangeMessage answer;
     answer.type = "MVR_JOIN_RET";
@@ -186,7 +187,8 @@ TEST(XchangeStations, slow_stations_give_their_places_to_those_that_wait) {
         saving.peers.push_back(at(slow.back()->port()));
     }
     const auto b = start(saving);
-    while (requests < 4) std::this_thread::sleep_for(10ms);
+    for (int k = 0; k < 3000 && requests < 4; ++k) std::this_thread::sleep_for(10ms);
+    ASSERT_EQ(requests, 4);
     XchangeOptions sharing = station("A");
     sharing.share = {folder.path / "tour.mvr"};
     sharing.port = late_port;

@@ -3,8 +3,8 @@
 // A festival for tables: up to 1000 moving heads over a stage hung as tools/make_festival.py hangs it, the
 // geometry reduced to boxes. Metres, Z up. Any thread.
 
-#include "stage/stage.h"
 #include "shared/types.h"
+#include "stage/stage.h"
 
 #include <cstddef>
 #include <glm/glm.hpp>

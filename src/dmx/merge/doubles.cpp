@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::chrono::seconds kCompared{1}; // at least
 constexpr std::chrono::seconds kNotComparable{5};
-constexpr unsigned kFewPackets = 2, kFewTurns = 3; // a sender that begins anew takes one turn
+constexpr unsigned kFewPackets = 2;
 constexpr int kMostMissed = 8; // in a row that goes on: start codes of other kinds, losses
 
 int distance(const Levels& a, const Levels& b) {
@@ -45,8 +45,11 @@ void LookPair::conclude(std::chrono::nanoseconds now) {
     const bool enough = a.packets >= kFewPackets && b.packets >= kFewPackets && turns_ >= kFewTurns;
     if (!enough && now - start_ < kNotComparable) return;
     concluded_ |= enough;
-    for (std::size_t i = 0; enough && i < met_.size(); ++i)
-        if (met_[i] == 0 && (a.moved[i] == 0 || b.moved[i] == 0)) told_ = now;
+    for (std::size_t i = 0; enough && i < met_.size(); ++i) {
+        const bool apart = met_[i] == 0 && (a.moved[i] == 0 || b.moved[i] == 0);
+        apart_for_[i] = apart ? static_cast<std::uint8_t>(std::min(apart_for_[i] + 1u, windows_)) : 0;
+        if (apart_for_[i] >= windows_) told_ = now;
+    }
     restart(now);
 }
 

@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Doubles: whether two senders hide behind one identity, told by what they show over time. LookPair compares
 // two streams of levels: they are two senders' where for a second a channel differs in every comparison and
-// stands still in one of them. A copy that is less than a second late has the same level at some time; one
-// that moves in both tells nothing. SharedRows finds the streams in what comes one way: two rows of numbers
-// that each count up, two ports that unnumbered packets come from, or numbered ones and others. No clock.
+// stands still in one of them. A copy that is no second late (by another way: no two seconds) has the same
+// level at some time; one that moves in both tells nothing. SharedRows finds the streams in what comes one
+// way: two rows of numbers that each count up, two ports that unnumbered packets come from, or numbered ones
+// and others. No clock.
 
 #include "dmx/wire/packet.h"
 
@@ -18,13 +19,16 @@ inline constexpr std::chrono::seconds kDoubleForgotten{5}; // unchanged levels: 
 
 class LookPair {
 public:
+    // windows: seconds in a row that tell, for streams that may be late by so long.
+    explicit LookPair(unsigned windows = 1) : windows_(windows) {}
+
     void add(int stream, const Levels& levels, std::chrono::nanoseconds now); // stream: 0 or 1
     // One of the streams is another one from now on.
     void restart(std::chrono::nanoseconds now);
     // Two senders, of late.
     bool differ(std::chrono::nanoseconds now) const { return told_ && now - *told_ <= kDoubleForgotten; }
     // Both streams come, and nothing is known yet.
-    bool undecided() const { return turns_ > 1 && !concluded_; }
+    bool undecided() const { return turns_ >= kFewTurns && !concluded_; }
     bool concluded() const { return concluded_; }
     const Levels& newest(int stream) const { return streams_[static_cast<std::size_t>(stream)].levels; }
 
@@ -37,8 +41,12 @@ private:
     };
     void conclude(std::chrono::nanoseconds now);
 
+    static constexpr unsigned kFewTurns = 3; // a sender that begins anew, or is late once, takes fewer
+
     std::array<Stream, 2> streams_;
-    Levels met_{}; // not 0 where both were equal once since start_
+    Levels met_{};       // not 0 where both were equal once since start_
+    Levels apart_for_{}; // windows in a row in which a channel told two senders
+    unsigned windows_;
     unsigned turns_ = 0;
     int last_ = 0;
     bool concluded_ = false;

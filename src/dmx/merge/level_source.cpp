@@ -13,6 +13,7 @@ constexpr std::chrono::nanoseconds kRateWindow = std::chrono::seconds(1);
 constexpr double kEnoughPackets = 8;             // a desk at rest sends one a second
 constexpr double kMostGaps = 0.5;                // of its packets; a network that loses as many is hardly one
 constexpr std::chrono::seconds kMostSlotsFor{3}; // senders mix whole and short packets
+constexpr int kMostUndecided = 5;                // windows
 constexpr double kTwoRows = 2;                   // far steps back in a second; who begins anew takes one
 
 std::chrono::nanoseconds loss_after(Protocol protocol) {
@@ -243,7 +244,8 @@ void LevelSource::measure_rate(std::chrono::nanoseconds now) {
     if (!has_gaps_ && !two && window_.missed > window_.swapped)
         pending_lost_ += static_cast<std::uint64_t>(window_.missed - window_.swapped);
     if (two) pending_lost_ = 0;
-    if (!rows_ || !rows_->undecided()) lost_ += std::exchange(pending_lost_, 0);
+    undecided_windows_ = rows_ && rows_->undecided() ? undecided_windows_ + 1 : 0;
+    if (undecided_windows_ % kMostUndecided == 0) lost_ += std::exchange(pending_lost_, 0);
     rates_hz_ = {.packets = window_.packets / window_s, .late = window_.late / window_s};
     window_ = {};
     window_start_ = now;

@@ -119,12 +119,13 @@ private:
     Window window_, rates_hz_; // counted since window_start_, and of the whole second before
     std::chrono::nanoseconds window_start_{0};
     std::uint64_t lost_ = 0, pending_lost_ = 0; // that were not taken yet; that may be another sender's
+    int undecided_windows_ = 0;                 // in which these wait
     bool has_gaps_ = false;
     struct OtherWay {
         IpAddress from;
         unsigned interface_index = 0;
         std::chrono::nanoseconds heard{0};
-        LookPair pair; // 0: the way that counts
+        LookPair pair{2}; // 0: the way that counts
     };
     std::unique_ptr<OtherWay> other_;  // while there is one
     std::unique_ptr<SharedRows> rows_; // while numbers or ports are those of two senders, perhaps

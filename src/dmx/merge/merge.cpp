@@ -288,7 +288,7 @@ void Merge::tick(std::chrono::nanoseconds now) {
             const std::size_t gone =
                 remove_sources(input, [&](const LevelSource& source) { return source.expired(now); });
             counters_.sources_lost += gone;
-            if (gone > 0) input.ended = false;
+            if (gone > 0 && !input.lost_since) input.ended = false;
             changed = true;
         }
         for (LevelSource& source : input.sources) {

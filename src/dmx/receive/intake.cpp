@@ -87,10 +87,12 @@ std::optional<PollPacket> Intake::take(Bytes bytes, const Arrival& arrival) {
         (sacn ? discovery_ : nodes_).feed(*discovery, arrival.time);
     } else if (const auto* time = std::get_if<TimeCode>(&parsed)) {
         const std::uint64_t packets = counted_.timecode ? counted_.timecode->packets : 0;
-        if (counted_.timecode &&
-            (counted_.timecode->from != arrival.from || counted_.timecode->time.stream != time->stream))
-            counted_.other_timecode = counted_.timecode;
         counted_.timecode = {*time, arrival.from, packets + 1, arrival.time};
+        if (time->stream == 0) {
+            auto& [newest, other] = counted_.followed_timecodes;
+            if (newest && newest->from != arrival.from) other = newest;
+            newest = counted_.timecode;
+        }
         if (options_.on_timecode) options_.on_timecode(*time, arrival.time);
     } else if (const auto* trigger = std::get_if<Trigger>(&parsed)) {
         remember(counted_.triggers, TriggerStatus{0, *trigger, arrival.from, arrival.time});
@@ -138,7 +140,7 @@ void Intake::report(Statistics& statistics, std::chrono::nanoseconds now) const 
     statistics.drops = counted_.drops;
     statistics.drops_sacn = counted_.drops_sacn;
     statistics.timecode = counted_.timecode;
-    statistics.other_timecode = counted_.other_timecode;
+    statistics.followed_timecodes = counted_.followed_timecodes;
     statistics.triggers = counted_.triggers;
     statistics.time = now;
     statistics.sampling = merge_.sampling();

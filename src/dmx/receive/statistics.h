@@ -134,12 +134,13 @@ struct Statistics {
     std::vector<SocketStatus> sockets;
     std::vector<UsbPortStatus> usb;
     MidiStatus midi;
-    std::optional<TimeCodeStatus> timecode;       // the newest
-    std::optional<TimeCodeStatus> other_timecode; // the newest by another sender or of another stream
-    std::vector<TriggerStatus> triggers;          // the newest kMaxRemembered
-    std::vector<LinkChange> link_changes;         // the newest kMaxRemembered
-    Latency latency;                 // from the kernel's receipt of a level packet to its publication
-    std::chrono::nanoseconds cpu{0}; // processor time of the receiver's thread
+    std::optional<TimeCodeStatus> timecode; // the newest
+    // Of stream 0, which is followed: the newest, and the newest of another sender.
+    std::array<std::optional<TimeCodeStatus>, 2> followed_timecodes;
+    std::vector<TriggerStatus> triggers;  // the newest kMaxRemembered
+    std::vector<LinkChange> link_changes; // the newest kMaxRemembered
+    Latency latency;                      // from the kernel's receipt of a level packet to its publication
+    std::chrono::nanoseconds cpu{0};      // processor time of the receiver's thread
 };
 
 inline constexpr std::size_t kMaxUnlisted = 256;

@@ -5,8 +5,6 @@
 #include <cmath>
 
 namespace ghost::app {
-namespace {} // namespace
-
 scene::Camera fitted(const scene::Camera& wanted, std::uint64_t room_bytes) {
     const double pixels = static_cast<double>(wanted.width) * static_cast<double>(wanted.height);
     const double room = static_cast<double>(room_bytes) / static_cast<double>(kPictureBytesPerPixel);

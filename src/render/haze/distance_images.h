@@ -1,8 +1,8 @@
 #pragma once
 // SPDX-License-Identifier: Apache-2.0
 // The distance maps of a show on the device: one layer of half floats each, in the order of DistanceMaps;
-// layer + 1 is shared::Light::map. A map that comes later (it was being made) can be set at any time; what was
-// set is on the device after finish(). Main thread; the device must outlive it.
+// layer + 1 is shared::Light::map. A map that comes later (it was being made) can be set at any time; what
+// was set is on the device after finish(). Main thread; the device must outlive it.
 //
 // Beside them lie their texels summed up in cells, for soft shadows (render/haze/private/blockers.h).
 //

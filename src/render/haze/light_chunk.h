@@ -24,6 +24,7 @@ constexpr std::uint64_t kMostDraws = 3;
 // twice as long in large ones.
 inline std::uint32_t visibility_slices(const Fragments& fragments, std::uint32_t batch_size) {
     constexpr std::uint32_t kFewTiles = 4096, kSlices = 16;
+    static_assert(32 % (shared::kLightsPerChunk / kSlices) == 0); // of a word of a mask (visibility.comp)
     return batch_size > 1 && fragments.tiles_x * fragments.tiles_y <= kFewTiles ? kSlices : 1;
 }
 

@@ -5,7 +5,9 @@
 #include "shaders/room_light.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <utility>
 
 namespace ghost::render {
 namespace {
@@ -20,7 +22,7 @@ RoomLight::RoomLight(const gpu::Device& device)
     : device_(device), glow_program_(device, shaders::kShader_glow),
       program_(device, shaders::kShader_room_light), uploads_(device) {}
 
-void RoomLight::upload(const scene::BounceVolume& volume, gpu::Texture& texture) {
+void RoomLight::make(const scene::BounceVolume& volume, gpu::Texture& texture) const {
     const auto width = static_cast<std::uint32_t>(volume.size.x),
                height = static_cast<std::uint32_t>(volume.size.y);
     const auto layers = static_cast<std::uint32_t>(volume.texels.size() / (std::size_t{width} * height));
@@ -28,15 +30,21 @@ void RoomLight::upload(const scene::BounceVolume& volume, gpu::Texture& texture)
     if (texture.bytes() == 0 || before.width != width || before.height != height || before.layers != layers)
         texture =
             gpu::Texture(device_, {width, height, layers, 1, VK_FORMAT_R16G16B16A16_SFLOAT, false, true});
-    const std::size_t layer_texels = std::size_t{width} * height;
-    for (std::uint32_t layer = 0; layer < layers; ++layer)
+}
+
+void RoomLight::upload(const scene::BounceVolume& volume, const gpu::Texture& texture) {
+    const gpu::TextureShape& shape = texture.shape();
+    const std::size_t layer_texels = std::size_t{shape.width} * shape.height;
+    for (std::uint32_t layer = 0; layer < shape.layers; ++layer)
         uploads_.add(texture, layer, 0, &volume.texels[layer * layer_texels], sizeof volume.texels[0]);
 }
 
 void RoomLight::set(const scene::BounceVolumes& volumes) {
-    upload(volumes.surfaces, surfaces_);
-    upload(volumes.air, air_);
-    upload(volumes.glow, glow_);
+    const std::array<std::pair<const scene::BounceVolume&, gpu::Texture&>, 3> all{
+        {{volumes.surfaces, surfaces_}, {volumes.air, air_}, {volumes.glow, glow_}}};
+    // All of them before anything waits to be copied: memory may end at each.
+    for (const auto& [volume, texture] : all) make(volume, texture);
+    for (const auto& [volume, texture] : all) upload(volume, texture);
     uploads_.finish();
     push_.low_m = volumes.low_m;
     push_.surfel_m = volumes.surfel_m;

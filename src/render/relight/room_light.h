@@ -29,7 +29,8 @@ public:
     std::uint64_t memory_bytes() const;
 
 private:
-    void upload(const scene::BounceVolume& volume, gpu::Texture& texture);
+    void make(const scene::BounceVolume& volume, gpu::Texture& texture) const;
+    void upload(const scene::BounceVolume& volume, const gpu::Texture& texture);
 
     const gpu::Device& device_;
     gpu::LateProgram glow_program_, program_;

@@ -250,9 +250,9 @@ constexpr const char* kSentences[] = {
     QT_TRANSLATE_NOOP("Sentence",
                       "%1 are merged, those of the highest priority and of these the longest known"),
     QT_TRANSLATE_NOOP("Sentence", "%1 is not shown on %2: %3 has a higher priority"),
-    QT_TRANSLATE_NOOP("Sentence", "%1 sends priorities per address above 200 on universe %2 for %3: there is "
-                                  "none above 200 (E1.31), and these channels are not shown"),
-    QT_TRANSLATE_NOOP("Sentence", "%1 sends %2 on universe %3 and priorities per address for %4 alone: it "
+    QT_TRANSLATE_NOOP("Sentence", "%1 sends priorities per address above 200 on %2 for %3: there is none "
+                                  "above 200 (E1.31), and it does not hold these channels"),
+    QT_TRANSLATE_NOOP("Sentence", "%1 sends %2 on %3 and priorities per address for %4 alone: it "
                                   "gives the others up, and fixtures are patched there"),
     QT_TRANSLATE_NOOP("Sentence", "%1 levels"),
     QT_TRANSLATE_NOOP("Sentence", "%1 level"),

@@ -108,6 +108,23 @@ TEST(Merge, who_sends_other_packets_under_the_same_identity) {
         EXPECT_FALSE(double_of(late, false, true)) << "each card has numbers of its own, " << late;
         EXPECT_EQ(double_of(late, true, true), IpAddress(0x0A000002));
     }
+    // A way that is slower by a second and a half, and a light that goes out meanwhile.
+    for (const bool is_slow : {true, false}) {
+        Merge merge;
+        Desk desk{1};
+        std::vector<Packet> sent;
+        for (int i = 0; i < 240; ++i) {
+            sent.push_back(desk.packet({i < 80 ? 255 : 0}));
+            sent.back().from = IpAddress(0x0A000001);
+            merge.feed(sent.back(), i * 25ms);
+            if (i < 60) continue;
+            Packet packet = sent[static_cast<std::size_t>(i - 60)];
+            packet.from = IpAddress(0x0A000002);
+            if (!is_slow) packet.slots[0] = 99;
+            merge.feed(packet, i * 25ms + 1ms);
+        }
+        EXPECT_EQ(merge.sources(6s).at(0).double_from.has_value(), !is_slow);
+    }
     // Of three ways, one by IPv6, each with its own numbers, none is another desk; a fourth one is.
     for (const bool is_cloned : {false, true}) {
         Merge merge;
@@ -297,6 +314,22 @@ TEST(Merge, one_sender_on_a_bad_network_is_one_whatever_it_shows) {
         EXPECT_FALSE(shared([](int i) { return static_cast<std::uint8_t>(i / 2); }, is_artnet)) << "fades";
         EXPECT_FALSE(shared([](int i) { return static_cast<std::uint8_t>(i / 40); }, is_artnet)) << "steps";
     }
+}
+
+TEST(Merge, loss_is_told_beside_late_packets) {
+    Merge merge;
+    Desk desk{1};
+    Packet late;
+    for (int i = 0; i < 1200; ++i) {
+        const Packet packet = desk.packet({i / 40});
+        if (i % 40 == 20) late = packet;
+        if (i % 10 != 0 && i % 40 != 20) merge.feed(packet, i * 25ms);
+        if (i % 40 == 23) merge.feed(late, i * 25ms + 1ms);
+        merge.tick(i * 25ms);
+    }
+    const std::uint64_t lost = merge.counters().lost;
+    EXPECT_GE(lost, 60u);
+    EXPECT_LE(lost, 150u) << "every tenth of 1200, and what came late";
 }
 
 TEST(Merge, the_same_packet_twice_is_no_second_sender) {

@@ -47,8 +47,8 @@ def artpoll():
     return b"Art-Net\0" + struct.pack("<H", 0x2000) + bytes([0, 14, 0, 0])
 
 
-def arttimecode(count):
-    return b"Art-Net\0" + struct.pack("<H", 0x9700) + bytes([0, 14, 0, 0, count % 25, count // 25 % 60, 0, 10, 1])
+def arttimecode(count, hour):
+    return b"Art-Net\0" + struct.pack("<H", 0x9700) + bytes([0, 14, 0, 0, count % 25, count // 25 % 60, 0, hour, 1])
 
 
 def group(universe):
@@ -105,7 +105,7 @@ while True:
         if one.get("polls") and count % 40 == 0:
             send(one, artpoll(), "10.93.0.255", 6454)
         if one.get("timecode"):
-            send(one, arttimecode(count), "10.93.0.255", 6454)
+            send(one, arttimecode(count, one["timecode"]), "10.93.0.255", 6454)
         if one.get("silent") or count % one.get("every", 1) != 0:
             continue
         if "outs" in one:

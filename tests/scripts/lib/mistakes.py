@@ -134,7 +134,7 @@ MISTAKES = [
      "bad_priorities", ["512 levels on universe 1", "for 22 alone"]),
     ("no_answers", "--no-poll-reply, and the sender asks who wants its Art-Net", {"options": ["--no-poll-reply"], "send": [artnet(polls=True, silent=True)]},
      "nothing_arrives", ["ArtPoll", "--no-poll-reply"]),
-    ("two_timecodes", "two machines send time code", {"send": [sacn(timecode=True), sacn(cid=3, timecode=True, silent=True, bind="10.93.0.11")],
+    ("two_timecodes", "two machines send time code", {"send": [sacn(timecode=10), sacn(cid=3, timecode=11, silent=True, bind="10.93.0.11")],
                                                        "desk": ["addr add 10.93.0.11/24 dev br0"]}, "two_timecodes", ["10.93.0.1 ", "10.93.0.11"]),
     ("hidden_black_out", "a desk that was switched off by nobody goes on sending its look, and the other one's black-out is not seen",
      {"send": [sacn(levels={}, name="FOH"), sacn(name="Backup", cid=2)]}, "two_desks", ["'FOH' (10.93.0.1) sends 0 alone", "black-out"]),
