@@ -122,11 +122,14 @@ void LevelSource::note_rows(const Packet& packet, bool odd, std::chrono::nanosec
         rows_->add(packet, now);
 }
 
-// Whether so many can have been sent since the newest: who begins anew begins with another number.
-bool LevelSource::may_be_lost(unsigned missed, std::chrono::nanoseconds now) const {
+// Whether so many can have been sent since the newest: who begins anew begins with another number, and after
+// a pause by another port.
+bool LevelSource::may_be_lost(unsigned missed, bool began_anew, std::chrono::nanoseconds now) const {
     constexpr double kHaste = 1.5; // a desk whose looks move sends faster than one at rest
     constexpr double kAtOnce = 8;
+    constexpr double kPause = 5; // intervals
     const double passed_ms = std::chrono::duration<double, std::milli>(now - last_levels_).count();
+    if (began_anew && passed_ms > kPause * interval_ms_) return false;
     return interval_ms_ == 0.0 || missed <= kHaste * passed_ms / interval_ms_ + kAtOnce;
 }
 
@@ -140,10 +143,11 @@ std::optional<unsigned> LevelSource::in_sequence(const Packet& packet, std::chro
         return 0;
     }
     const std::optional<unsigned> missed = sequence_.accept(packet.sequence);
+    const bool by_other_port = std::exchange(numbered_port_, packet.from_port) != packet.from_port;
     note_rows(packet, turned || !missed || sequence_.stepped_back(), now);
     if (missed) {
         missed_ += *missed;
-        window_.missed += may_be_lost(*missed, now) ? *missed : 0;
+        window_.missed += may_be_lost(*missed, by_other_port, now) ? *missed : 0;
         window_.odd += *missed > 0 || sequence_.stepped_back() ? 1 : 0;
         window_.back += sequence_.stepped_back() ? 1 : 0;
     } else {

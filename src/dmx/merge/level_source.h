@@ -87,7 +87,7 @@ private:
     };
     void show(const Held& levels);
     void measure_jitter(std::chrono::nanoseconds interval);
-    bool may_be_lost(unsigned missed, std::chrono::nanoseconds now) const;
+    bool may_be_lost(unsigned missed, bool began_anew, std::chrono::nanoseconds now) const;
     void note_other_way(const Packet& packet, std::chrono::nanoseconds now);
     bool turns_back(const Packet& packet);
     void note_rows(const Packet& packet, bool odd, std::chrono::nanoseconds now);
@@ -130,6 +130,7 @@ private:
     std::unique_ptr<OtherWay> other_;  // while there is one
     std::unique_ptr<SharedRows> rows_; // while numbers or ports are those of two senders, perhaps
     std::chrono::nanoseconds odd_at_{0};
+    std::uint16_t numbered_port_ = 0;          // of the newest packet with a number
     std::uint16_t port_ = 0, port_before_ = 0; // of the newest packet, and of the newest by another port
     bool numbered_ = true;                     // the newest packet
     std::uint16_t most_slots_ = 0;             // of late

@@ -213,6 +213,20 @@ TEST(Merge, a_desk_that_begins_anew_lost_nothing) {
     EXPECT_EQ(merge.counters().lost, 40u);
 }
 
+TEST(Merge, a_desk_that_is_back_after_a_second_by_another_port_lost_nothing) {
+    for (const bool is_new : {true, false}) {
+        Merge merge;
+        Desk desk{1};
+        for (int i = 0; i < 400; ++i) {
+            Packet packet = desk.packet({1});
+            packet.from_port = is_new && i >= 240 ? 50001 : 50000;
+            if (i < 200 || i >= 240) merge.feed(packet, i * 25ms);
+            merge.tick(i * 25ms);
+        }
+        EXPECT_EQ(merge.counters().lost, is_new ? 0u : 40u);
+    }
+}
+
 Packet with_level(Packet packet, std::uint8_t level) {
     packet.slots[0] = level;
     return packet;
