@@ -136,7 +136,7 @@ void add_priorities(const dmx::Statistics& statistics, const PatchMap& patch, Se
             above[{source_text(source), source.bad_priorities}].insert(source.universe);
             // Which ones is not known: more than nothing reads are read in part.
             int unread = 0;
-            for (int address = 1; address <= dmx::kSlots; ++address)
+            for (int address = 1; address <= static_cast<int>(dmx::kSlots); ++address)
                 unread += patch.at(source.universe, address).empty() ? 1 : 0;
             if (source.bad_priorities > unread) patched.insert(source.universe);
         }

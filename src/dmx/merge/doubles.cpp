@@ -45,9 +45,11 @@ void LookPair::conclude(std::chrono::nanoseconds now) {
     const bool enough = a.packets >= kFewPackets && b.packets >= kFewPackets && turns_ >= kFewTurns;
     if (!enough && now - start_ < kNotComparable) return;
     concluded_ |= enough;
+    suspects_ = false;
     for (std::size_t i = 0; enough && i < met_.size(); ++i) {
         const bool apart = met_[i] == 0 && (a.moved[i] == 0 || b.moved[i] == 0);
         apart_for_[i] = apart ? static_cast<std::uint8_t>(std::min(apart_for_[i] + 1u, windows_)) : 0;
+        suspects_ |= apart;
         if (apart_for_[i] >= windows_) told_ = now;
     }
     restart(now);

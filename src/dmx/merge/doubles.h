@@ -29,7 +29,8 @@ public:
     bool differ(std::chrono::nanoseconds now) const { return told_ && now - *told_ <= kDoubleForgotten; }
     // Both streams come, and nothing is known yet.
     bool undecided() const { return turns_ >= kFewTurns && !concluded_; }
-    bool concluded() const { return concluded_; }
+    // A window was compared, and tells nothing yet of the next one.
+    bool is_one() const { return concluded_ && !suspects_; }
     const Levels& newest(int stream) const { return streams_[static_cast<std::size_t>(stream)].levels; }
 
 private:
@@ -49,7 +50,7 @@ private:
     unsigned windows_;
     unsigned turns_ = 0;
     int last_ = 0;
-    bool concluded_ = false;
+    bool concluded_ = false, suspects_ = false; // of the window before
     std::chrono::nanoseconds start_{0};
     std::optional<std::chrono::nanoseconds> told_;
 };

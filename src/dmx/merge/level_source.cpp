@@ -88,7 +88,7 @@ void LevelSource::note_other_way(const Packet& packet, std::chrono::nanoseconds 
         other_ && other_->from == packet.from && other_->interface_index == packet.interface_index;
     if (!same) {
         const bool is_there = other_ && now - other_->heard <= kWaySilence;
-        if (is_there && (!other_->pair.concluded() || other_->pair.differ(now))) return;
+        if (is_there && (!other_->pair.is_one() || other_->pair.differ(now))) return;
         other_ = std::make_unique<OtherWay>();
         other_->from = packet.from;
         other_->interface_index = packet.interface_index;

@@ -92,7 +92,7 @@ TEST(Merge, who_sends_other_packets_under_the_same_identity) {
             if (i < late) continue;
             Packet packet = sent[static_cast<std::size_t>(i - late)];
             packet.from = IpAddress(0x0A000002);
-            if (other_levels) packet.slots[0] = 99;
+            if (other_levels) packet.slots[0] = 200;
             if (own_row) packet.sequence = static_cast<std::uint8_t>(packet.sequence + 100);
             merge.feed(packet, i * 25ms + 1ms);
         }
@@ -154,7 +154,7 @@ TEST(Merge, who_sends_other_packets_under_the_same_identity) {
     // The other way may be the quicker one.
     Merge ahead;
     Desk quick{1}, slow{1};
-    for (int i = 0; i < 80; ++i) {
+    for (int i = 0; i < 120; ++i) {
         Packet packet = slow.packet({10});
         packet.from = IpAddress(0x0A000001);
         ahead.feed(packet, i * 25ms);
@@ -163,7 +163,7 @@ TEST(Merge, who_sends_other_packets_under_the_same_identity) {
         packet.from = IpAddress(0x0A000002);
         ahead.feed(packet, i * 25ms + 1ms);
     }
-    EXPECT_EQ(ahead.sources(2s).at(0).double_from, IpAddress(0x0A000002));
+    EXPECT_EQ(ahead.sources(3s).at(0).double_from, IpAddress(0x0A000002));
     Merge merge;
     Desk before{1}, after{1}; // it gets another address, and counts anew
     after.sequence = static_cast<std::uint8_t>(before.sequence + 100);
