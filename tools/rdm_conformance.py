@@ -8,6 +8,8 @@ import subprocess
 import sys
 import tempfile
 
+from wrap_docs import wrap
+
 SOURCE = pathlib.Path(__file__).resolve().parent.parent
 PAGE = SOURCE / "docs/reference/rdm-conformance.md"
 # What the tests cannot ask, because there is none of it.
@@ -63,7 +65,7 @@ def page(tests):
     lines += ["", "## What cannot be run", "", "| what | why |", "|---|---|"]
     lines += [f"| {what} | {why} |" for what, why in MISSING]
     failed = [f"{suite}.{test['name']}" for suite, test in tests if outcome(test) == "failed"]
-    return "\n".join(lines) + "\n", failed
+    return wrap("\n".join(lines) + "\n"), failed
 
 
 def main():
