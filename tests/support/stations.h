@@ -6,6 +6,7 @@
 #include "net/socket.h"
 #include "net/tcp.h"
 #include "support/must.h"
+#include "support/test_folder.h"
 #include "support/tiny_gdtf.h"
 #include "xchange/protocol.h"
 #include "xchange/xchange.h"
@@ -25,14 +26,7 @@ using namespace std::chrono_literals;
 namespace fs = std::filesystem;
 using Kind = XchangeEvent::Kind;
 
-struct Folder {
-    fs::path path;
-    Folder() {
-        std::string name = (fs::temp_directory_path() / "ghost_xchange_XXXXXX").string();
-        path = mkdtemp(name.data());
-    }
-    ~Folder() { fs::remove_all(path); }
-};
+using Folder = TestFolder;
 
 // A plot without anything in it, and so many bytes beside.
 inline std::string write_plot(const fs::path& path, std::size_t bytes) {
