@@ -4094,16 +4094,8 @@ Bitte den Namen des Ordners prüfen.</translation>
         <translation>mehr Universen kommen an als die %1, die zugleich gezeigt werden; die der Show und von --universes sind immer dabei</translation>
     </message>
     <message>
-        <source>levels of %1 on %2 wait for a synchronisation packet that does not come; after 10 s at most they show without</source>
-        <translation>Werte von %1 auf %2 warten auf ein Synchronisationspaket, das nicht kommt; nach höchstens 10 s gelten sie ohne</translation>
-    </message>
-    <message>
         <source>%1 sends Art-Net from another network than ours (%2), by a router or because the addresses do not fit: without a router its unicast and our answers do not arrive, and this machine needs an address in its network</source>
         <translation>%1 sendet Art-Net aus einem anderen Netz als unserem (%2), über einen Router oder weil die Adressen nicht passen: ohne Router kommen sein Unicast und unsere Antworten nicht an, und dieser Rechner braucht eine Adresse in seinem Netz</translation>
-    </message>
-    <message>
-        <source>%1 sends %2 to the multicast group of another universe; the levels are used</source>
-        <translation>%1 sendet %2 an die Multicast-Gruppe eines anderen Universums; die Werte gelten trotzdem</translation>
     </message>
     <message>
         <source>%1 packets got lost on the way in the last seconds: cable, switch or Wi-Fi</source>
@@ -5722,8 +5714,68 @@ Bitte den Namen des Ordners prüfen.</translation>
         <translation>dieser Rechner hat in den letzten Sekunden %1 Pakete verworfen: Er ist überlastet, die Puffer der Sockets sind zu klein (als root: sysctl -w net.core.rmem_max=4194304), oder jemandes Pakete haben falsche Prüfsummen</translation>
     </message>
     <message>
-        <source>%1. To tell them apart: where &apos;%2&apos; shows packets to an address of ours, to its broadcast, to 239.255 or ff18::, a firewall or the reverse path filter of this machine drops them; to another broadcast, the masks differ; where it shows none at all, they do not get here: a cable, another VLAN, a switch that holds multicast back (IGMP snooping without a querier), or a desk that is silent</source>
-        <translation>%1. So unterscheidet man sie: wo &apos;%2&apos; Pakete an eine Adresse von uns, an deren Broadcast, an 239.255 oder ff18:: zeigt, verwirft sie eine Firewall oder der Rückwegfilter (rp_filter) dieses Rechners; an einen anderen Broadcast, dann sind die Masken verschieden; wo es gar keine zeigt, kommen sie nicht bis hierher: ein Kabel, ein anderes VLAN, ein Switch, der Multicast zurückhält (IGMP-Snooping ohne Querier), oder ein Pult, das schweigt</translation>
+        <source>packets for %1 arrive (%2), nothing is patched there; the show wants %3; %4 is %5 with its two bytes exchanged: the sender writes universe numbers in the wrong order of bytes</source>
+        <translation>Pakete für %1 kommen an (%2), dort ist nichts gepatcht; die Show will %3; %4 ist %5 mit vertauschten Bytes: der Sender schreibt Nummern von Universen in der falschen Reihenfolge der Bytes</translation>
+    </message>
+    <message>
+        <source>nothing comes for %1 any more, since %2: the last look is held. %3: cable pulled %4 ago, which may be why</source>
+        <translation>seit %2 kommt nichts mehr für %1: der letzte Stand wird gehalten. %3: vor %4 wurde das Kabel gezogen, was der Grund sein kann</translation>
+    </message>
+    <message>
+        <source>nothing comes for %1 any more, since %2: black (--on-loss). %3: cable pulled %4 ago, which may be why</source>
+        <translation>seit %2 kommt nichts mehr für %1: schwarz (--on-loss). %3: vor %4 wurde das Kabel gezogen, was der Grund sein kann</translation>
+    </message>
+    <message>
+        <source>nothing comes for %1 any more, since %2: the last look is held. %3: gone %4 ago, which may be why</source>
+        <translation>seit %2 kommt nichts mehr für %1: der letzte Stand wird gehalten. %3: seit %4 fort, was der Grund sein kann</translation>
+    </message>
+    <message>
+        <source>nothing comes for %1 any more, since %2: black (--on-loss). %3: gone %4 ago, which may be why</source>
+        <translation>seit %2 kommt nichts mehr für %1: schwarz (--on-loss). %3: seit %4 fort, was der Grund sein kann</translation>
+    </message>
+    <message>
+        <source>%1 is not shown on %2: %3 has a higher priority, and sends 0 alone</source>
+        <translation>%1 wird auf %2 nicht gezeigt: %3 hat eine höhere Priorität und sendet nur 0</translation>
+    </message>
+    <message>
+        <source>%1 is not shown on %2: %3 has a higher priority, and has all dimmers at 0</source>
+        <translation>%1 wird auf %2 nicht gezeigt: %3 hat eine höhere Priorität und alle Dimmer auf 0</translation>
+    </message>
+    <message>
+        <source>%1 gives %2 of %3 on universe %4 away (priority per address 0), and nobody else sends them: their levels are not used. Are they patched on the desk?</source>
+        <translation>%1 gibt %2 von %3 auf Universum %4 ab (Priorität 0 je Adresse), und niemand sonst sendet sie: ihre Werte gelten nicht. Sind sie auf dem Pult gepatcht?</translation>
+    </message>
+    <message>
+        <source>%1 patched channels</source>
+        <translation>%1 gepatchten Kanälen</translation>
+    </message>
+    <message>
+        <source>%1 patched channel</source>
+        <translation>%1 gepatchten Kanal</translation>
+    </message>
+    <message>
+        <source>levels of %1 on %2 wait for a synchronisation packet that does not come; after %3 at most they show without</source>
+        <translation>Werte von %1 auf %2 warten auf ein Synchronisationspaket, das nicht kommt; nach höchstens %3 gelten sie ohne</translation>
+    </message>
+    <message>
+        <source>%1 sends %2 to the multicast group of another universe; the levels are used as those of %3</source>
+        <translation>%1 sendet %2 an die Multicast-Gruppe eines anderen Universums; die Werte gelten als die von %3</translation>
+    </message>
+    <message>
+        <source>%1. The reverse path filter of this machine dropped %2 in the last seconds, of senders that it would not answer by the card that they came by: if they are the desk&apos;s, give that card an address in the desk&apos;s network (or, as root: sysctl -w net.ipv4.conf.all.rp_filter=2, and the same for the card)</source>
+        <translation>%1. Der Rückwegfilter (rp_filter) dieses Rechners hat in den letzten Sekunden %2 verworfen, von Sendern, denen er nicht über die Karte antworten würde, über die sie kamen: sind es die des Pults, dieser Karte eine Adresse im Netz des Pults geben (oder, als root: sysctl -w net.ipv4.conf.all.rp_filter=2, und dasselbe für die Karte)</translation>
+    </message>
+    <message>
+        <source>%1 packets</source>
+        <translation>%1 Pakete</translation>
+    </message>
+    <message>
+        <source>%1 packet</source>
+        <translation>%1 Paket</translation>
+    </message>
+    <message>
+        <source>%1. To tell them apart: where &apos;%2&apos; shows packets to an address of ours, to its broadcast, to 239.255 or ff18::, a firewall or the reverse path filter of this machine drops them, or their sender has an address of ours; to another broadcast, the masks differ; where it shows none at all, they do not get here: a cable, another VLAN, a switch that holds multicast back (IGMP snooping without a querier), or a desk that is silent</source>
+        <translation>%1. So unterscheidet man sie: wo &apos;%2&apos; Pakete an eine Adresse von uns, an deren Broadcast, an 239.255 oder ff18:: zeigt, verwirft sie eine Firewall oder der Rückwegfilter (rp_filter) dieses Rechners, oder ihr Sender hat eine Adresse von uns; an einen anderen Broadcast, dann sind die Masken verschieden; wo es gar keine zeigt, kommen sie nicht bis hierher: ein Kabel, ein anderes VLAN, ein Switch, der Multicast zurückhält (IGMP-Snooping ohne Querier), oder ein Pult, das schweigt</translation>
     </message>
 </context>
 <context>

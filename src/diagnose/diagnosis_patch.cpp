@@ -80,6 +80,16 @@ std::string swapped_text(const std::set<int>& arriving, const std::set<int>& mis
     return "";
 }
 
+// Where the number of one that arrives is that of one that is missing with its two bytes exchanged.
+std::string mirrored_text(const std::set<int>& arriving, const std::set<int>& missing) {
+    for (const int to : missing)
+        if (const int from = (to & 0xFF) << 8 | to >> 8; from != to && arriving.contains(from))
+            return "; " + std::to_string(from) + " is " + std::to_string(to) +
+                   " with its two bytes exchanged: the sender writes universe numbers in the wrong order of "
+                   "bytes";
+    return "";
+}
+
 // Marked as preview, it comes.
 bool is_blind(const dmx::Statistics& statistics, int universe) {
     return std::any_of(statistics.ignored.begin(), statistics.ignored.end(),
@@ -191,10 +201,29 @@ void add_patch(const dmx::Statistics& statistics, const Arriving& arriving, cons
     if (const auto artnet = arriving.by_protocol.find(dmx::Protocol::artnet);
         artnet != arriving.by_protocol.end())
         text += swapped_text(artnet->second, missing, statistics.listening.artnet_offset);
-    if (!wanted.empty()) text += kOrAnother;
+    std::string mirrored;
+    if (const auto sacn = arriving.by_protocol.find(dmx::Protocol::sacn); sacn != arriving.by_protocol.end())
+        mirrored = mirrored_text(sacn->second, missing);
+    text += mirrored;
+    if (!wanted.empty() && mirrored.empty()) text += kOrAnother;
     out.push_back(wanted.empty() ? note(Trouble::not_patched, text)
                                  : problem(Trouble::not_patched, text, wanted));
 }
+
+namespace {
+
+// ". net0: cable pulled 4 s ago", of what happened to our cards while a universe fell silent; else "".
+std::string links_text(const dmx::Statistics& statistics, std::chrono::nanoseconds since) {
+    const std::chrono::nanoseconds lost = statistics.time - since;
+    std::string text;
+    for (const dmx::LinkChange& change : statistics.link_changes)
+        if (change.time <= lost && lost - change.time <= dmx::kArtnetLoss + kSilent && change.is_loss)
+            text = ". " + one_line(change.text) + " " + seconds_text(statistics.time - change.time) +
+                   " ago, which may be why";
+    return text;
+}
+
+} // namespace
 
 void add_lost(const dmx::Statistics& statistics, const PatchMap& patch, Sentences& out) {
     const std::string unreadable = unreadable_text(statistics);
@@ -211,6 +240,7 @@ void add_lost(const dmx::Statistics& statistics, const PatchMap& patch, Sentence
             longest = std::max(longest, one.since);
         }
         if (universes.empty()) continue;
+        const std::string links = links_text(statistics, longest);
         const bool bare = std::any_of(universes.begin(), universes.end(),
                                       [&](int universe) { return is_without_levels(statistics, universe); });
         out.push_back(problem(
@@ -220,6 +250,7 @@ void add_lost(const dmx::Statistics& statistics, const PatchMap& patch, Sentence
                 (bare                 ? ". Packets still come, without levels" + empty_text(statistics, patch)
                  : ended              ? ". Its desk said that it ends this stream: its output was switched "
                                         "off, or its program closed"
+                 : !links.empty()     ? links
                  : unreadable.empty() ? ". Its desk has stopped, or something on the way lets nothing "
                                         "through any more: a cable, a firewall, or a switch that prunes "
                                         "multicast after minutes (IGMP snooping without a querier)"

@@ -110,9 +110,15 @@ void add_held_back(const dmx::Statistics& statistics, const Arriving& arriving, 
                    Sentences& out) {
     if (sum(statistics.recent.refused_sacn) >= kManyRefused) return; // it comes, and cannot be read
     std::map<std::string, std::set<int>> held;
+    // Whose levels come by a group that is not theirs has written another number into them (add_patch).
+    const auto comes_astray = [&](const std::string& who) {
+        return std::any_of(
+            statistics.sources.begin(), statistics.sources.end(),
+            [&](const dmx::SourceStatus& one) { return one.wrong_group && source_text(one) == who; });
+    };
     for (const auto& [universe, one] : arriving.listed)
         if (one.protocol == dmx::Protocol::sacn && patch.has(universe) && !arriving.has(universe) &&
-            !is_without_levels(statistics, universe))
+            !is_without_levels(statistics, universe) && !comes_astray(one.who))
             held[one.who].insert(universe);
     for (const auto& [who, universes] : held)
         out.push_back(problem(
@@ -163,6 +169,15 @@ std::string polls_text(const dmx::Statistics& statistics) {
                  "answer";
 }
 
+std::string reverse_path_text(const dmx::Statistics& statistics) {
+    if (statistics.recent.reverse_path == 0) return "";
+    return ". The reverse path filter of this machine dropped " +
+           count_text(statistics.recent.reverse_path, "packet") +
+           " in the last seconds, of senders that it would not answer by the card that they came by: if they "
+           "are the desk's, give that card an address in the desk's network (or, as root: sysctl -w "
+           "net.ipv4.conf.all.rp_filter=2, and the same for the card)";
+}
+
 void add_nothing(const dmx::Statistics& statistics, const Arriving& arriving, const PatchMap& patch,
                  Sentences& out) {
     const dmx::Listening& listening = statistics.listening;
@@ -196,6 +211,7 @@ void add_nothing(const dmx::Statistics& statistics, const Arriving& arriving, co
         text +=
             ". " + std::string(listening.sacn ? "Art-Net" : "sACN") + " is not listened for (--protocols)";
     text += unaddressed_text(statistics);
+    text += reverse_path_text(statistics);
     if (const std::string broadcasts = listening.artnet ? broadcasts_text(statistics) : "";
         !broadcasts.empty())
         text += ". " + broadcasts;
@@ -212,7 +228,8 @@ void add_nothing(const dmx::Statistics& statistics, const Arriving& arriving, co
             ". To tell them apart: where 'tcpdump -ni any " + tcpdump_text(ports) +
             "' shows packets to an address of ours, to its broadcast, to 239.255 or ff18::, a firewall or "
             "the "
-            "reverse path filter of this machine drops them; to another broadcast, the masks differ; where "
+            "reverse path filter of this machine drops them, or their sender has an address of ours; to "
+            "another broadcast, the masks differ; where "
             "it "
             "shows none at all, they do not get here: a cable, another VLAN, a switch that holds multicast "
             "back (IGMP snooping without a querier), or a desk that is silent";

@@ -111,18 +111,40 @@ std::string ranked_text(const dmx::SourceStatus& source) {
            " at most, one for each address)";
 }
 
-void add_low_priority(const dmx::Statistics& statistics, Sentences& out) {
-    std::map<std::pair<std::string, std::string>, std::set<int>> low; // who, and who wins
+// Every dimmer that is patched on its universe stays at 0, not all that it sends; a chase passes through 0.
+bool dimmers_are_down(const dmx::SourceStatus& source, const PatchMap& patch) {
+    const std::vector<int> dimmers = patch.dimmers(source.universe);
+    return source.slots && !dimmers.empty() && std::all_of(dimmers.begin(), dimmers.end(), [&](int address) {
+               const auto slot = static_cast<std::size_t>(address - 1);
+               return source.slots->levels[slot] == 0 && source.slots->stands[slot];
+           });
+}
+
+// ", and sends 0 alone" where that hides a look; else "".
+std::string hides_text(const dmx::SourceStatus& winner, const dmx::SourceStatus& loser,
+                       const PatchMap& patch) {
+    if (loser.is_dark) return "";
+    if (winner.is_dark) return ", and sends 0 alone";
+    return dimmers_are_down(winner, patch) && !dimmers_are_down(loser, patch) ? ", and has all dimmers at 0"
+                                                                              : "";
+}
+
+void add_low_priority(const dmx::Statistics& statistics, const PatchMap& patch, Sentences& out) {
+    std::map<std::tuple<std::string, std::string, std::string>, std::set<int>> low; // who, who wins and hides
     for (const dmx::SourceStatus& source : statistics.sources) {
         if (role_text(source, statistics.sources) != "lower priority") continue;
         const dmx::SourceStatus* const winner = winner_of(statistics.sources, source.universe);
-        low[{ranked_text(source), winner ? ranked_text(*winner) : ""}].insert(source.universe);
+        low[{ranked_text(source), winner ? ranked_text(*winner) : "",
+             winner ? hides_text(*winner, source, patch) : ""}]
+            .insert(source.universe);
     }
-    for (const auto& [who, universes] : low)
+    for (const auto& [who, universes] : low) {
+        const auto& [loser, winner, hides] = who;
         out.push_back(note(Trouble::low_priority,
-                           who.first + " is not shown on " + universes_text(universes) + ": " + who.second +
-                               " has a higher priority",
+                           loser + " is not shown on " + universes_text(universes) + ": " + winner +
+                               " has a higher priority" + hides,
                            universes));
+    }
 }
 
 // Lists of priorities per address that give up what the source sends levels for.
@@ -165,12 +187,35 @@ void add_priorities(const dmx::Statistics& statistics, const PatchMap& patch, Se
     }
 }
 
-// Every dimmer that is patched on its universe is at 0, not all that it sends.
-bool dimmers_are_down(const dmx::SourceStatus& source, const PatchMap& patch) {
-    const std::vector<int> dimmers = patch.dimmers(source.universe);
-    return source.slots && !dimmers.empty() && std::all_of(dimmers.begin(), dimmers.end(), [&](int address) {
-               return source.slots->levels[static_cast<std::size_t>(address - 1)] == 0;
-           });
+// Channels of the patch that a source gives away by a priority of 0, and that nobody else sends.
+void add_given_away(const dmx::Statistics& statistics, const PatchMap& patch, Sentences& out) {
+    for (const dmx::SourceStatus& source : statistics.sources) {
+        if (!source.per_address_priority || source.bad_priorities > 0 || !source.slots ||
+            source.state != dmx::SourceState::live)
+            continue;
+        std::uint64_t patched = 0, given = 0;
+        const int last = std::min<int>(source.slot_count, source.priority_count);
+        for (int address = 1; address <= last; ++address) {
+            if (patch.at(source.universe, address).empty()) continue;
+            ++patched;
+            const auto slot = static_cast<std::size_t>(address - 1);
+            given += std::none_of(statistics.sources.begin(), statistics.sources.end(),
+                                  [&](const dmx::SourceStatus& one) {
+                                      return one.universe == source.universe &&
+                                             (!one.slots || one.slots->rank[slot] > 0);
+                                  })
+                         ? 1
+                         : 0;
+        }
+        if (given == 0) continue;
+        const std::string text = source_text(source) + " gives " + std::to_string(given) + " of " +
+                                 count_text(patched, "patched channel") + " on universe " +
+                                 std::to_string(source.universe) +
+                                 " away (priority per address 0), and nobody else sends them: their levels "
+                                 "are not used. Are they patched on the desk?";
+        out.push_back(given == patched ? problem(Trouble::bad_priorities, text, {source.universe})
+                                       : note(Trouble::bad_priorities, text, {source.universe}));
+    }
 }
 
 // "'A' (10.0.0.2) with 512 slots at 44 Hz"
@@ -283,8 +328,9 @@ void add_ignored(const dmx::Statistics& statistics, Sentences& out) {
 }
 
 void add_ranks(const dmx::Statistics& statistics, const PatchMap& patch, Sentences& out) {
-    add_low_priority(statistics, out);
+    add_low_priority(statistics, patch, out);
     add_priorities(statistics, patch, out);
+    add_given_away(statistics, patch, out);
     add_two_desks(statistics, patch, out);
 }
 
@@ -312,11 +358,12 @@ void add_timecodes(const dmx::Statistics& statistics, Sentences& out) {
 } // namespace
 
 void add_sources(const dmx::Statistics& statistics, Sentences& out) {
-    std::map<std::string, std::set<int>> waiting, foreign, astray, cut;
+    std::map<std::pair<std::string, dmx::Protocol>, std::set<int>> waiting;
+    std::map<std::string, std::set<int>> foreign, astray, cut;
     for (const dmx::SourceStatus& source : statistics.sources) {
         const std::string who = source_text(source);
         if (source.held && synchronisation_is_late(source, statistics.sync))
-            waiting[who].insert(source.universe);
+            waiting[{who, source.protocol}].insert(source.universe);
         if (source.protocol == dmx::Protocol::artnet && is_foreign(source.from, statistics))
             foreign[who].insert(source.universe);
         if (source.wrong_group) astray[who].insert(source.universe);
@@ -324,9 +371,11 @@ void add_sources(const dmx::Statistics& statistics, Sentences& out) {
     }
     for (const auto& [who, universes] : waiting)
         out.push_back(problem(Trouble::waits_for_sync,
-                              "levels of " + who + " on " + universes_text(universes) +
-                                  " wait for a synchronisation packet that does not come; after 10 s at most "
-                                  "they show without",
+                              "levels of " + who.first + " on " + universes_text(universes) +
+                                  " wait for a synchronisation packet that does not come; after " +
+                                  seconds_text(who.second == dmx::Protocol::artnet ? dmx::kArtnetSyncLoss
+                                                                                   : dmx::kSacnSyncHold) +
+                                  " at most they show without",
                               universes));
     for (const auto& [who, universes] : foreign)
         out.push_back(
@@ -338,8 +387,9 @@ void add_sources(const dmx::Statistics& statistics, Sentences& out) {
     for (const auto& [who, universes] : astray)
         out.push_back(note(Trouble::wrong_group,
                            who + " sends " + universes_text(universes) +
-                               " to the multicast group of another universe; the levels "
-                               "are used",
+                               " to the multicast group of another universe; the levels are used as those "
+                               "of " +
+                               universes_text(universes),
                            universes));
     for (const auto& [who, universes] : cut)
         out.push_back(note(Trouble::wrong_length,

@@ -31,6 +31,42 @@ TEST(diagnosis, ALowerPriority) {
     const auto& all = network.statistics.sources;
     EXPECT_EQ(role_text(all[0], all), "shown");
     EXPECT_EQ(role_text(all[1], all), "lower priority");
+    network.statistics.sources[0].is_dark = true;
+    expect_words(network.text(Trouble::low_priority), {"has a higher priority, and sends 0 alone"});
+    network.statistics.sources[1].is_dark = true;
+    EXPECT_EQ(network.text(Trouble::low_priority).find("sends 0"), std::string::npos) << "it hides nothing";
+}
+
+TEST(diagnosis, ChannelsThatAreGivenAway) {
+    Network network({1}); // channels 10 to 12
+    network.sends({1});
+    dmx::SourceStatus& desk = network.statistics.sources[0];
+    desk.per_address_priority = true;
+    desk.priority_count = 512;
+    desk.highest_priority = 100;
+    dmx::SourceSlots slots;
+    slots.rank.fill(101);
+    const auto set = [](dmx::SourceStatus& one, const dmx::SourceSlots& to) {
+        one.slots = std::make_shared<const dmx::SourceSlots>(to);
+    };
+    set(desk, slots);
+    EXPECT_EQ(network.troubles(), Troubles{});
+    slots.rank[10] = 0; // channel 11
+    set(desk, slots);
+    ASSERT_EQ(network.troubles(), Troubles{Trouble::bad_priorities});
+    EXPECT_FALSE(network.sentences()[0].is_problem) << "a channel that the desk does not know";
+    expect_words(network.text(Trouble::bad_priorities),
+                 {"'Desk' (192.168.1.7) gives 1 of 3 patched channels on universe 1 away", "nobody else"});
+    slots.rank.fill(0);
+    set(desk, slots);
+    EXPECT_TRUE(network.sentences()[0].is_problem);
+    expect_words(network.text(Trouble::bad_priorities), {"gives 3 of 3 patched channels"});
+    dmx::SourceStatus other = source(1, dmx::Protocol::sacn);
+    other.id[0] = '2';
+    slots.rank.fill(51);
+    set(other, slots);
+    network.statistics.sources.push_back(other);
+    EXPECT_EQ(network.text(Trouble::bad_priorities), "") << "another sends them";
 }
 
 TEST(diagnosis, TwoDesksThatFight) {

@@ -33,6 +33,12 @@ TEST(diagnosis, NothingArrives) {
     silent.statistics.interfaces[2].netmask = 0xFF000000;
     EXPECT_EQ(silent.text(Trouble::nothing_arrives).find("broadcasts to"), std::string::npos);
     silent.statistics.interfaces.pop_back();
+    EXPECT_EQ(silent.text(Trouble::nothing_arrives).find("filter of this machine dropped"),
+              std::string::npos);
+    silent.statistics.recent.reverse_path = 120;
+    expect_words(silent.text(Trouble::nothing_arrives),
+                 {"filter of this machine dropped 120 packets", "rp_filter=2"});
+    silent.statistics.recent.reverse_path = 0;
     silent.statistics.notices[static_cast<std::size_t>(dmx::Notice::poll)] = 3;
     silent.statistics.packets_artnet = 3;
     expect_words(silent.text(Trouble::nothing_arrives),
@@ -218,6 +224,13 @@ TEST(diagnosis, ALostUniverse) {
     network.statistics.lost = {{3, false, 12s, true}};
     expect_words(network.text(Trouble::lost), {"universe 3 any more", "said that it ends this stream"});
     EXPECT_EQ(network.text(Trouble::lost).find("firewall"), std::string::npos);
+    network.statistics.lost = {{3, false, 12s}};
+    auto& changes = network.statistics.link_changes;
+    changes = {{1, "eth0: cable plugged in", network.statistics.time - 14s},
+               {2, "eth0: cable pulled", network.statistics.time - 40s, true}};
+    expect_words(network.text(Trouble::lost), {"a firewall"});
+    changes.push_back({3, "eth0: cable pulled", network.statistics.time - 15s, true});
+    expect_words(network.text(Trouble::lost), {"last look is held. eth0: cable pulled 15 s ago"});
     network.statistics.lost = {{3, true, 70s}};
     expect_words(network.text(Trouble::lost), {"black", "70 s"});
     Network all({3});
@@ -305,6 +318,23 @@ TEST(diagnosis, WhatASourceAnnouncesAndDoesNotArrive) {
     Network open;
     open.statistics.discovered = {desk};
     expect_words(open.text(Trouble::nothing_arrives), {"announces universes 7-8", "--universes"});
+}
+
+TEST(diagnosis, TheBytesOfAUniverseInAnotherOrder) {
+    Network network({1});
+    network.sends({256});
+    network.statistics.sources[0].wrong_group = true; // of universe 1
+    dmx::DiscoveredSource desk;
+    desk.name = "Desk";
+    desk.from = dmx::IpAddress(0xC0A80107);
+    desk.universes = std::make_shared<const std::vector<std::uint16_t>>(std::vector<std::uint16_t>{1});
+    network.statistics.discovered = {desk};
+    EXPECT_EQ(network.text(Trouble::held_back), "") << "no switch holds what comes";
+    expect_words(network.text(Trouble::not_patched),
+                 {"the show wants universe 1", "256 is 1 with its two bytes exchanged"});
+    expect_words(network.text(Trouble::wrong_group), {"are used as those of universe 256"});
+    network.statistics.sources[0].universe = 257;
+    EXPECT_EQ(network.text(Trouble::not_patched).find("bytes exchanged"), std::string::npos);
 }
 
 TEST(diagnosis, NetSubNetAndUniverseInAnotherOrder) {

@@ -31,9 +31,9 @@ ALIKE = {"cable", "output_off", "wrong_interface", "igmp", "sacn_one_off", "artn
          "same_address", "dimmer", "shutter", "lamp_off", "parked", "overridden", "ola_artnet_one_off", "qlc_and_ola", "qlc_not_started",
          "sACN multicast", "QLC+, sACN multicast"}
 COMPARES_ALL = "--write" in sys.argv
-# What is true beside a finding, and red, too: a universe that comes elsewhere does not come here.
+# What is true beside a finding, and red, too: a universe that comes elsewhere does not come here, channels that a desk gives away are its own.
 BESIDE = {"not_patched": {"not_received", "nothing_arrives"}, "off_by_one": {"nothing_arrives"}, "port_shared": {"nothing_arrives"},
-          "same_host": {"nothing_arrives", "port_shared"}}
+          "same_host": {"nothing_arrives", "port_shared"}, "explain:overridden": {"bad_priorities"}}
 LIMIT_S = 120  # for a sentence to come, on a machine that does other things, too
 WELL_S = 9  # in which nothing may be said; silence is told after 5
 OTHER = """
@@ -86,12 +86,19 @@ class Stage(TwoMachines):
             senders = [{**one, "stops_s": later} for one in senders]  # on our side of it the same
         if not senders:
             return
+        for name in self.setup["vis_sysctl"]:
+            self.command(self.vis, "sysctl", "-qw", "net.ipv4.conf." + name)
         desk = self.start(self.desk, sys.executable, SOURCE / "tests/scripts/lib/mistaken_desk.py", json.dumps(senders), "10.93.0.1",
                           stdout=subprocess.PIPE)
         assert desk.stdout.readline() == "sending\n"
         if later and shutil.which("nft"):
             time.sleep(later)
             self.drop_at_firewall()
+        if self.setup["desk_later"]:
+            after_s, commands = self.setup["desk_later"]
+            time.sleep(after_s)
+            for words in commands:
+                self.command(self.desk, "ip", words)
 
     def share_port(self):
         if self.setup["other"]:

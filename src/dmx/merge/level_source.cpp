@@ -257,6 +257,27 @@ void LevelSource::measure_rate(std::chrono::nanoseconds now) {
     samples_[0] = levels_;
 }
 
+bool LevelSource::rivals(const LevelSource& other) const {
+    return joined_ && other.joined_ && has_levels_ && other.has_levels_ &&
+           key_.preview == other.key_.preview && priority() == other.priority();
+}
+
+void LevelSource::compare(const LevelSource* rival, std::chrono::nanoseconds now) {
+    if (!rival) {
+        rivalry_.reset();
+        return;
+    }
+    if (!rivalry_ || !(rivalry_->other() == rival->key_)) rivalry_ = std::make_unique<Rivalry>(rival->key_);
+    if (!per_address_ && !rival->per_address_) {
+        rivalry_->add(levels_, rival->levels_, now);
+        return;
+    }
+    Levels mine = levels_, others = rival->levels_;
+    for (std::size_t i = 0; i < kSlots; ++i)
+        if (rank(i) != rival->rank(i)) mine[i] = others[i] = 0;
+    rivalry_->add(mine, others, now);
+}
+
 void LevelSource::resume(std::chrono::nanoseconds pause, std::chrono::nanoseconds now) {
     for (std::chrono::nanoseconds* time : {&last_levels_, &last_priorities_, &last_way_, &first_heard_})
         *time = std::max(*time, std::min(*time + pause, now)); // what came in the middle of the pause
@@ -327,7 +348,10 @@ SourceStatus LevelSource::status(std::uint16_t universe, bool with_slots,
     if (with_slots) {
         SourceSlots slots;
         slots.levels = levels_;
-        for (std::size_t i = 0; i < kSlots; ++i) slots.rank[i] = rank(i);
+        for (std::size_t i = 0; i < kSlots; ++i) {
+            slots.rank[i] = rank(i);
+            slots.stands[i] = stands(i);
+        }
         status.slots = std::make_shared<const SourceSlots>(slots);
     }
     return status;

@@ -6,6 +6,7 @@
 // kWaySilence. No clock.
 
 #include "dmx/merge/doubles.h"
+#include "dmx/merge/rivalry.h"
 #include "dmx/merge/source_status.h"
 #include "dmx/wire/packet.h"
 #include "dmx/wire/sequence.h"
@@ -73,6 +74,14 @@ public:
     bool stands(std::size_t slot) const {
         return levels_[slot] == samples_[0][slot] && levels_[slot] == samples_[1][slot];
     }
+    // Both take part, and neither goes before the other.
+    bool rivals(const LevelSource& other) const;
+    // Looks at both as they are now; null: it has no rival. Then it may be asked how many slots they fight
+    // over.
+    void compare(const LevelSource* rival, std::chrono::nanoseconds now);
+    std::size_t fought(const LevelSource& other, std::chrono::nanoseconds now) const {
+        return rivalry_ && rivalry_->other() == other.key_ ? rivalry_->fought(now) : 0;
+    }
     // When the slot changed last, as the stamp that keep() was given; 0 where that is not recorded (sACN).
     std::uint32_t changed(std::size_t slot) const { return changed_.empty() ? 0 : changed_[slot]; }
 
@@ -129,6 +138,7 @@ private:
     };
     std::unique_ptr<OtherWay> other_;  // while there is one
     std::unique_ptr<SharedRows> rows_; // while numbers or ports are those of two senders, perhaps
+    std::unique_ptr<Rivalry> rivalry_; // while another has the same say
     std::chrono::nanoseconds odd_at_{0};
     std::uint16_t numbered_port_ = 0;          // of the newest packet with a number
     std::uint16_t port_ = 0, port_before_ = 0; // of the newest packet, and of the newest by another port

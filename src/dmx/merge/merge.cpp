@@ -149,6 +149,7 @@ void Merge::terminate(std::uint16_t number, Input& input, const Packet& packet,
     other_sources_ -= input.asked ? 0 : 1;
     ++counters_.sources_terminated;
     mark(number, input);
+    apply_loss_policy(number, input, now); // nobody looks between what is gone and what is lost
 }
 
 // ArtSync is ignored while two Art-Net sources merge (Art-Net 4).
@@ -296,6 +297,12 @@ void Merge::tick(std::chrono::nanoseconds now) {
             source.measure_rate(now);
             counters_.lost += source.take_lost();
         }
+        for (auto source = input.sources.begin(); source != input.sources.end(); ++source) {
+            const auto rival = std::find_if(input.sources.begin(), source, [&](const LevelSource& before) {
+                return source->rivals(before);
+            });
+            source->compare(rival == source ? nullptr : &*rival, now);
+        }
         if (changed) mark(number, input);
         apply_loss_policy(number, input, now);
     }
@@ -400,6 +407,14 @@ std::vector<SourceStatus> Merge::sources(std::chrono::nanoseconds now) const {
             result[first + i].slots_overruled = overruled[i];
             result[first + i].slots_contested = contested[i];
         }
+        for (std::size_t i = 1; i < held.size(); ++i)
+            for (std::size_t k = 0; k < i; ++k) {
+                const std::size_t fought = input.sources[i].fought(input.sources[k], now);
+                for (SourceStatus* one : {&result[first + k], &result[first + i]}) {
+                    one->slots_overruled = std::max(one->slots_overruled, fought);
+                    one->slots_contested = std::max(one->slots_contested, fought);
+                }
+            }
     }
     return result;
 }

@@ -4,6 +4,7 @@
 
 #include "dmx/wire/packet.h"
 
+#include <bitset>
 #include <chrono>
 #include <memory>
 #include <optional>
@@ -11,11 +12,12 @@
 
 namespace ghost::dmx {
 
-// What one source sends for each slot, and how it ranks there: priority + 1, 0 where it does not hold the
-// slot.
+// What one source sends for each slot, how it ranks there (priority + 1, 0 where it does not hold the slot),
+// and where it has sent the same for one to two seconds.
 struct SourceSlots {
     Levels levels{};
     Levels rank{};
+    std::bitset<kSlots> stands;
 };
 
 enum class SourceState : std::uint8_t {
@@ -85,9 +87,10 @@ struct SourceStatus {
     std::optional<IpAddress> double_from;
     bool is_dark = false;       // nothing that it sends is above 0
     std::size_t slots_held = 0; // of slot_count: where nobody on its universe ranks higher
-    std::size_t slots_overruled =
-        0; // of slots_held that stand still: where another of its rank has another level that shows
-    std::size_t slots_contested = 0; // of slots_overruled: where its own level is above 0
+    // Of slots_held: where another of its rank has another level that shows, of those that stand still or are
+    // fought over (Rivalry).
+    std::size_t slots_overruled = 0;
+    std::size_t slots_contested = 0; // of these: where its own level is above 0, or was
     std::chrono::nanoseconds age{0}; // since its last level packet, without time in which we did not listen
     std::shared_ptr<const SourceSlots> slots; // where MergeOptions::slot_status asks for it, else null
 };

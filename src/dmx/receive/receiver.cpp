@@ -7,6 +7,7 @@
 #include "dmx/receive/private/listener.h"
 #include "dmx/receive/private/wider.h"
 #include "dmx/wire/build.h"
+#include "net/reverse_path.h"
 
 #include <algorithm>
 #include <atomic>
@@ -140,6 +141,7 @@ struct Receiver::Loop {
     PortWatch port_watch;
     Wider wider;
     Statistics statistics;
+    const std::uint64_t reverse_path_before = reverse_path_drops();
     RecentLoss before, at_last; // totals when the window of Statistics::recent begins, and half way
     nanoseconds next_window{0};
     std::vector<nanoseconds> unpublished; // arrivals of level packets
@@ -332,7 +334,8 @@ void Receiver::Loop::publish_statistics(nanoseconds now) {
                            statistics.notices[static_cast<std::size_t>(Notice::poll)],
                            statistics.polls_refused,
                            statistics.drops,
-                           statistics.drops_sacn};
+                           statistics.drops_sacn,
+                           reverse_path_drops() - reverse_path_before};
     if (now >= next_window) {
         before = std::exchange(at_last, total);
         next_window = now + kLossWindow;
@@ -419,6 +422,7 @@ RecentLoss RecentLoss::operator-(const RecentLoss& before) const {
     since.too_many_universes -= before.too_many_universes;
     since.polls -= before.polls;
     since.polls_refused -= before.polls_refused;
+    since.reverse_path -= before.reverse_path;
     for (std::size_t i = 0; i < refused.size(); ++i) {
         since.refused[i] -= before.refused[i];
         since.refused_sacn[i] -= before.refused_sacn[i];

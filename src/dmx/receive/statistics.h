@@ -76,8 +76,9 @@ struct RecentLoss {
     std::uint64_t overflow = 0; // dropped by the kernel
     std::uint64_t too_many_universes = 0;
     std::uint64_t polls = 0, polls_refused = 0;
-    Refused refused{};      // as Statistics::drops
-    Refused refused_sacn{}; // of these on the port of sACN
+    Refused refused{};              // as Statistics::drops
+    Refused refused_sacn{};         // of these on the port of sACN
+    std::uint64_t reverse_path = 0; // of all programs: dropped by the kernel (net/reverse_path.h)
 
     RecentLoss operator-(const RecentLoss& before) const;
 };
@@ -101,6 +102,7 @@ struct LinkChange {
     std::uint64_t number = 0; // counts from 1
     std::string text;         // "eth0: cable pulled", ...
     std::chrono::nanoseconds time{0};
+    bool is_loss = false; // it went, or lost its cable
 };
 
 struct Statistics {

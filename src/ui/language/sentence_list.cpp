@@ -203,6 +203,10 @@ constexpr const char* kSentences[] = {
                     "silent or does not get here: its output, the network, a firewall on UDP 5568 and 6454"),
     QT_TRANSLATE_NOOP("Sentence", "%1 announces %2, nothing is patched there; the show wants %3"),
     QT_TRANSLATE_NOOP("Sentence", "%1 announces %2, nothing is patched there"),
+    QT_TRANSLATE_NOOP("Sentence",
+                      "packets for %1 arrive (%2), nothing is patched there; the show wants %3; %4 "
+                      "is %5 with its two bytes exchanged: the sender writes universe numbers in "
+                      "the wrong order of bytes"),
     QT_TRANSLATE_NOOP("Sentence", "packets for %1 arrive (%2), nothing is patched there; the show wants %3"),
     QT_TRANSLATE_NOOP("Sentence", "packets for %1 arrive (%2), nothing is patched there"),
     QT_TRANSLATE_NOOP("Sentence", "%1 fixtures on %2 ('%3', ...), no levels arrive there"),
@@ -210,6 +214,14 @@ constexpr const char* kSentences[] = {
     QT_TRANSLATE_NOOP("Sentence", "%1; packets arrive that cannot be read (%2)"),
     QT_TRANSLATE_NOOP("Sentence", "nothing comes for %1 any more, since %2: the last look is held. Packets "
                                   "still come, without levels"),
+    QT_TRANSLATE_NOOP("Sentence", "nothing comes for %1 any more, since %2: the last look is held. %3: cable "
+                                  "pulled %4 ago, which may be why"),
+    QT_TRANSLATE_NOOP("Sentence", "nothing comes for %1 any more, since %2: black (--on-loss). %3: cable "
+                                  "pulled %4 ago, which may be why"),
+    QT_TRANSLATE_NOOP("Sentence", "nothing comes for %1 any more, since %2: the last look is held. %3: gone "
+                                  "%4 ago, which may be why"),
+    QT_TRANSLATE_NOOP("Sentence", "nothing comes for %1 any more, since %2: black (--on-loss). %3: gone %4 "
+                                  "ago, which may be why"),
     QT_TRANSLATE_NOOP("Sentence",
                       "nothing comes for %1 any more, since %2: the last look is held. Its desk said that it "
                       "ends this stream: its output was switched off, or its program closed"),
@@ -249,11 +261,19 @@ constexpr const char* kSentences[] = {
     QT_TRANSLATE_NOOP("Sentence", "Art-Net merges two"),
     QT_TRANSLATE_NOOP("Sentence",
                       "%1 are merged, those of the highest priority and of these the longest known"),
+    QT_TRANSLATE_NOOP("Sentence", "%1 is not shown on %2: %3 has a higher priority, and sends 0 alone"),
+    QT_TRANSLATE_NOOP("Sentence",
+                      "%1 is not shown on %2: %3 has a higher priority, and has all dimmers at 0"),
     QT_TRANSLATE_NOOP("Sentence", "%1 is not shown on %2: %3 has a higher priority"),
     QT_TRANSLATE_NOOP("Sentence", "%1 sends priorities per address above 200 on %2 for %3: there is none "
                                   "above 200 (E1.31), and it does not hold these channels"),
     QT_TRANSLATE_NOOP("Sentence", "%1 sends %2 on %3 and priorities per address for %4 alone: it "
                                   "gives the others up, and fixtures are patched there"),
+    QT_TRANSLATE_NOOP("Sentence",
+                      "%1 gives %2 of %3 on universe %4 away (priority per address 0), and nobody else sends "
+                      "them: their levels are not used. Are they patched on the desk?"),
+    QT_TRANSLATE_NOOP("Sentence", "%1 patched channels"),
+    QT_TRANSLATE_NOOP("Sentence", "%1 patched channel"),
     QT_TRANSLATE_NOOP("Sentence", "%1 levels"),
     QT_TRANSLATE_NOOP("Sentence", "%1 level"),
     QT_TRANSLATE_NOOP("Sentence",
@@ -324,12 +344,13 @@ constexpr const char* kSentences[] = {
     QT_TRANSLATE_NOOP("Sentence", "more universes arrive than the %1 that are shown at once; those of the "
                                   "show and of --universes are always among them"),
     QT_TRANSLATE_NOOP("Sentence", "levels of %1 on %2 wait for a synchronisation packet that does not come; "
-                                  "after 10 s at most they show without"),
+                                  "after %3 at most they show without"),
     QT_TRANSLATE_NOOP("Sentence", "%1 sends Art-Net from another network than ours (%2), by a router or "
                                   "because the addresses do not fit: without a router its unicast and our "
                                   "answers do not arrive, and this machine needs an address in its network"),
-    QT_TRANSLATE_NOOP("Sentence",
-                      "%1 sends %2 to the multicast group of another universe; the levels are used"),
+    QT_TRANSLATE_NOOP(
+        "Sentence",
+        "%1 sends %2 to the multicast group of another universe; the levels are used as those of %3"),
     QT_TRANSLATE_NOOP("Sentence",
                       "%1 declares more levels on %2 than its packets hold, or than 512; those that come are "
                       "used"),
@@ -764,13 +785,22 @@ constexpr const char* kSentences[] = {
                                   "for Art-Net, and for sACN by IPv4, it needs one in the desk's network"),
     QT_TRANSLATE_NOOP("Sentence", "%1. %2 gave itself %3, as a machine does that no DHCP server answers: for "
                                   "Art-Net the desk has to be in 169.254.x.x, too"),
+    QT_TRANSLATE_NOOP(
+        "Sentence",
+        "%1. The reverse path filter of this machine dropped %2 in the last seconds, of senders that it "
+        "would "
+        "not answer by the card that they came by: if they are the desk's, give that card an address in the "
+        "desk's network (or, as root: sysctl -w net.ipv4.conf.all.rp_filter=2, and the same for the card)"),
+    QT_TRANSLATE_NOOP("Sentence", "%1 packets"),
+    QT_TRANSLATE_NOOP("Sentence", "%1 packet"),
     QT_TRANSLATE_NOOP("Sentence", "%1. A desk on this very machine has to send unicast to 127.0.0.1: "
                                   "multicast of QLC+ does not come back here"),
     QT_TRANSLATE_NOOP(
         "Sentence",
         "%1. To tell them apart: where '%2' shows packets to an address of ours, to its broadcast, to "
         "239.255 "
-        "or ff18::, a firewall or the reverse path filter of this machine drops them; to another broadcast, "
+        "or ff18::, a firewall or the reverse path filter of this machine drops them, or their sender has an "
+        "address of ours; to another broadcast, "
         "the masks differ; where it shows none at all, they do not get here: a cable, another VLAN, a switch "
         "that holds multicast back (IGMP snooping without a querier), or a desk that is silent"),
 };

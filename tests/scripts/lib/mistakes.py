@@ -14,6 +14,8 @@ STANDARD = {
     "options": [],  # of ghostlight
     "desk": [],  # commands (ip) in the desk's namespace
     "vis": [],  # and in ours
+    "vis_sysctl": [],  # there, of net.ipv4.conf
+    "desk_later": None,  # (seconds, commands) in the desk's namespace
     "other": None,  # another program on our machine: (port, shares it)
     "show": None,  # None: live; else frames of a recording, explained only
     "gdtf": None,  # another file of the fixtures
@@ -68,6 +70,14 @@ MISTAKES = [
      {"send": [sacn(levels={}, announces=[1], silent=True)]}, "held_back", ["announces universe 1", "IGMP snooping", "unicast"]),
     ("igmp_and_others", "the same, and somebody's Art-Net cannot be read",
      {"send": [sacn(levels={}, announces=[1], silent=True), artnet(version=13)]}, "held_back", ["announces universe 1", "IGMP snooping"]),
+    ("reverse_path", "the desk is in another network, and this machine's reverse path filter is strict",
+     {"desk": ["addr add 10.77.0.1/24 dev br0"], "vis_sysctl": ["all.rp_filter=1", "net0.rp_filter=1"],
+      "send": [sacn(to="10.93.0.2", bind="10.77.0.1")]}, "nothing_arrives",
+     ["The reverse path filter of this machine dropped", "give that card an address in the desk's network"]),
+    ("cable_at_last", "the cable is pulled while we look", {"once": True, "desk_later": (6, ["link set to_net0 down"])}, "lost",
+     ["nothing comes for universe 1 any more", "net0: cable pulled"]),
+    ("bytes_exchanged", "a sender writes universe numbers in the wrong order of bytes, and announces them in the right one",
+     {"send": [sacn(256, to="239.255.0.1", announces=[1])]}, "not_patched", ["the show wants universe 1", "256 is 1 with its two bytes exchanged"]),
     ("other_group", "sACN of universe 1 to the multicast group of universe 2", {"send": [sacn(to="239.255.0.2")]}, "wrong_group", ["multicast group"]),
     # Universes.
     ("sacn_one_off", "sACN, universe one too high", {"send": [sacn(2)]}, "off_by_one", ["sACN comes for universe 2", "universe 1"]),
@@ -96,6 +106,17 @@ MISTAKES = [
      {"send": [sacn(), sacn(priority=90, name="Backup", cid=2)]}, "low_priority", ["'Backup'", "priority 90", "'Test desk'", "priority 100"]),
     ("two_desks", "two desks of equal priority send different looks",
      {"send": [sacn(), sacn(levels={1: 10, 6: 255}, name="Second", cid=2)]}, "two_desks", ["'Test desk'", "'Second'", "HTP"]),
+    ("forgotten", "a forgotten desk of equal priority has all up, and the main desk's chase is not seen",
+     {"once": True, "send": [sacn(levels={**OPEN, 1: 0}, chases=[1, 2, 4, 12]), sacn(levels=dict.fromkeys(range(1, 23), 255), name="Forgotten", cid=2)]}, "two_desks",
+     ["'Test desk'", "'Forgotten'", "Switch one off"]),
+    ("out_of_step", "two desks of equal priority run one chase half a second apart",
+     {"once": True, "send": [sacn(levels={}, chases=[1, 2, 4, 12]), sacn(levels={}, chases=[1, 2, 4, 12], chase_begins=20, name="Second", cid=2)]}, "two_desks",
+     ["'Test desk'", "'Second'", "Switch one off"]),
+    ("given_away", "a desk gives all channels away by priority per address, and nobody else sends them", {"send": [sacn(per_address=0)]},
+     "bad_priorities", ["'Test desk' (10.93.0.1)", "22 of 22 patched channels on universe 1", "nobody else sends them"]),
+    ("dark_above", "a desk of higher priority has all dimmers at 0 and hides the look",
+     {"send": [sacn(priority=50, name="Show", cid=2), sacn(levels={**OPEN, 1: 0})]}, "low_priority",
+     ["'Show' (10.93.0.1) (priority 50) is not shown", "has a higher priority, and has all dimmers at 0"]),
     ("per_address_low", "the backup's priority is 150, but that of each address is 50",
      {"send": [sacn(), sacn(priority=150, name="Backup", cid=2, per_address=50)]}, "low_priority",
      ["'Backup' (10.93.0.1) (priority 50 at most, one for each address)", "'Test desk' (10.93.0.1) (priority 100)"]),
@@ -229,6 +250,10 @@ WELL = [
     ("every packet comes twice, and a light flashes", {"send": [sacn(twice=True, flashes=1)]}),
     ("Art-Net without numbers by two sockets in turn, and a light flashes", {"send": [artnet(unnumbered=True, by_turns=True, flashes=2)]}),
     ("one desk by sACN and by Art-Net", {"send": [sacn(moves=[30]), artnet(moves=[30])]}),
+    ("two desks that share a universe, and each chases its channels",
+     {"send": [sacn(levels=OPEN, chases=[30, 31]), sacn(levels={}, chases=[32, 33], chase_begins=7, name="Second", cid=2)]}),
+    ("a backup that follows a chase, 50 ms behind",
+     {"send": [sacn(levels={1: 255, 12: 255}, chases=[40, 41, 42, 43]), sacn(levels={1: 255, 12: 255}, chases=[40, 41, 42, 43], chase_begins=38, name="Backup", cid=2)]}),
     ("two desks that share a universe, each with channels of its own",
      {"send": [sacn(levels={1: 255, 2: 128}), sacn(levels={4: 128, 12: 255, 17: 255}, name="Second", cid=2)]}),
     ("somebody's Art-Net beside it that cannot be read", {"send": [sacn(), artnet(version=13)]}),
