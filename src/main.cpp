@@ -47,6 +47,9 @@ int main(int argc, char** argv) {
     ghost::app::add_sheet(app, exit_code);
     ghost::app::add_tour(app, exit_code);
     ghost::app::add_xchange(app, exit_code);
+    app.failure_message([](const CLI::App* where, const CLI::Error& error) {
+        return "error: " + CLI::FailureMessage::simple(where, error);
+    });
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {

@@ -8,6 +8,7 @@
 #include "base/progress.h"
 #include "cli/commands.h"
 #include "cli/options/input_options.h"
+#include "cli/options/interface_option.h"
 #include "cli/options/live_options.h"
 #include "cli/options/number_option.h"
 #include "dmx/receive/receiver.h"
@@ -230,8 +231,8 @@ void add_play(CLI::App& app, int& exit_code) {
     sending(command->add_option(
         "--to", options->send.destination,
         "address to send to, IPv4 or (sACN) IPv6; default: sACN multicast, Art-Net broadcast"));
-    sending(command->add_option("--interface", options->send.interface,
-                                "network interface for multicast and broadcast"));
+    sending(add_interface_option(*command, options->send.interface,
+                                 "network interface for multicast and broadcast"));
     sending(command->add_option("--priority", options->send.priority, "sACN priority")
                 ->check(CLI::Range(0, 200))
                 ->capture_default_str());

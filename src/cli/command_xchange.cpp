@@ -5,6 +5,7 @@
 #include "base/log.h"
 #include "base/print.h"
 #include "cli/commands.h"
+#include "cli/options/interface_option.h"
 #include "cli/options/number_option.h"
 #include "live/session/session.h"
 #include "plots/import_plot.h"
@@ -155,8 +156,7 @@ void add_xchange(CLI::App& app, int& exit_code) {
         ->needs(save);
     command->add_option("--station", a->station.station,
                         "our name (default: Ghostlight on this machine's name)");
-    command->add_option("--interface", a->station.interface,
-                        "network interface, by name or by its IPv4 address; default: all");
+    add_interface_option(*command, a->station.interface);
     command
         ->add_option("--peer", a->station.peers,
                      "a station that mDNS does not reach, like 10.0.0.5:4568; may be given more than once")

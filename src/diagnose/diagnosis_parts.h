@@ -40,6 +40,10 @@ struct Arriving {
 std::string count_text(std::uint64_t count, const std::string& word); // "1 fixture", "2 fixtures"
 std::string universes_text(const std::set<int>& universes);           // "universe 7", "universes 1-4, 9"
 std::set<int> numbers_of(const PatchMap& patch);
+// 256 of 1: what a sender writes that takes network byte order for its own.
+inline int bytes_exchanged(int universe) {
+    return (universe & 0xFF) << 8 | universe >> 8;
+}
 std::string seconds_text(std::chrono::nanoseconds time);
 // "'Desk' (10.0.0.2)", "10.0.0.2 (Art-Net)".
 std::string source_text(const std::string& name, const std::string& place, dmx::Protocol protocol);

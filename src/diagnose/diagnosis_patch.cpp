@@ -83,7 +83,7 @@ std::string swapped_text(const std::set<int>& arriving, const std::set<int>& mis
 // Where the number of one that arrives is that of one that is missing with its two bytes exchanged.
 std::string mirrored_text(const std::set<int>& arriving, const std::set<int>& missing) {
     for (const int to : missing)
-        if (const int from = (to & 0xFF) << 8 | to >> 8; from != to && arriving.contains(from))
+        if (const int from = bytes_exchanged(to); from != to && arriving.contains(from))
             return "; " + std::to_string(from) + " is " + std::to_string(to) +
                    " with its two bytes exchanged: the sender writes universe numbers in the wrong order of "
                    "bytes";

@@ -110,15 +110,9 @@ void add_held_back(const dmx::Statistics& statistics, const Arriving& arriving, 
                    Sentences& out) {
     if (sum(statistics.recent.refused_sacn) >= kManyRefused) return; // it comes, and cannot be read
     std::map<std::string, std::set<int>> held;
-    // Whose levels come by a group that is not theirs has written another number into them (add_patch).
-    const auto comes_astray = [&](const std::string& who) {
-        return std::any_of(
-            statistics.sources.begin(), statistics.sources.end(),
-            [&](const dmx::SourceStatus& one) { return one.wrong_group && source_text(one) == who; });
-    };
     for (const auto& [universe, one] : arriving.listed)
         if (one.protocol == dmx::Protocol::sacn && patch.has(universe) && !arriving.has(universe) &&
-            !is_without_levels(statistics, universe) && !comes_astray(one.who))
+            !is_without_levels(statistics, universe) && !arriving.has(bytes_exchanged(universe)))
             held[one.who].insert(universe);
     for (const auto& [who, universes] : held)
         out.push_back(problem(

@@ -66,7 +66,7 @@ TEST(diagnosis, ChannelsThatAreGivenAway) {
     slots.rank.fill(51);
     set(other, slots);
     network.statistics.sources.push_back(other);
-    EXPECT_EQ(network.text(Trouble::bad_priorities), "") << "another sends them";
+    EXPECT_EQ(network.text(Trouble::bad_priorities), "not said") << "another sends them";
 }
 
 TEST(diagnosis, TwoDesksThatFight) {
@@ -211,6 +211,9 @@ TEST(diagnosis, ABlackOutThatAnotherDeskHides) {
     // The dimmer of its fixture, at address 10, is at 0, its colours stay.
     dmx::SourceSlots slots;
     slots.levels[10] = 200;
+    desk.slots = std::make_shared<const dmx::SourceSlots>(slots);
+    expect_words(network.text(Trouble::two_desks), {"meant to share"}); // it passes through 0
+    slots.stands.set();
     desk.slots = std::make_shared<const dmx::SourceSlots>(slots);
     slots.levels[9] = 255;
     network.statistics.sources[1].slots = std::make_shared<const dmx::SourceSlots>(slots);

@@ -329,7 +329,7 @@ TEST(diagnosis, TheBytesOfAUniverseInAnotherOrder) {
     desk.from = dmx::IpAddress(0xC0A80107);
     desk.universes = std::make_shared<const std::vector<std::uint16_t>>(std::vector<std::uint16_t>{1});
     network.statistics.discovered = {desk};
-    EXPECT_EQ(network.text(Trouble::held_back), "") << "no switch holds what comes";
+    EXPECT_EQ(network.text(Trouble::held_back), "not said") << "no switch holds what comes";
     expect_words(network.text(Trouble::not_patched),
                  {"the show wants universe 1", "256 is 1 with its two bytes exchanged"});
     expect_words(network.text(Trouble::wrong_group), {"are used as those of universe 256"});

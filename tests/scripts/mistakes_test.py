@@ -98,7 +98,7 @@ class Stage(TwoMachines):
             after_s, commands = self.setup["desk_later"]
             time.sleep(after_s)
             for words in commands:
-                self.command(self.desk, "ip", words)
+                self.command(self.desk, "ip", *words.split())
 
     def share_port(self):
         if self.setup["other"]:

@@ -85,6 +85,9 @@ int main(int argc, char** argv) {
     program.set_version_flag("--version", "ghostlight-bench 0.1.0");
     program.footer(
         "Example: ghostlight-bench -o my-gpu\n         ghostlight-bench scale --only \"400 lights\"");
+    program.failure_message([](const CLI::App* where, const CLI::Error& error) {
+        return "error: " + CLI::FailureMessage::simple(where, error);
+    });
     try {
         program.parse(argc, argv);
     } catch (const CLI::ParseError& error) {

@@ -2,7 +2,7 @@
 #include "cli/options/input_options.h"
 
 #include "base/interrupt.h"
-
+#include "cli/options/interface_option.h"
 #include "dmx/record/recording_tasks.h"
 
 #include <algorithm>
@@ -54,8 +54,7 @@ CLI::Option* add_midi_option(CLI::App& command, std::string& port) {
 }
 
 void add_input_options(CLI::App& command, InputOptions& options) {
-    command.add_option("--interface", options.interface,
-                       "network interface, by name or by its IPv4 address; default: all");
+    add_interface_option(command, options.interface);
     command
         .add_option("--protocols", options.protocols,
                     "what to listen for: sacn, artnet, both or none (--usb)")

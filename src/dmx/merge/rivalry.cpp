@@ -15,6 +15,8 @@ constexpr int kOften = 3;                     // times apart
 } // namespace
 
 void Rivalry::add(const Levels& mine, const Levels& others, std::chrono::nanoseconds now) {
+    if (looked_ && now - *looked_ < kLookEvery) return;
+    looked_ = now;
     if (now - start_ >= kHalf) {
         before_ = std::exchange(now_, {});
         start_ = now;

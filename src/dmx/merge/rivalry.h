@@ -17,7 +17,7 @@ public:
     explicit Rivalry(const SourceKey& other) : other_(other) {}
 
     const SourceKey& other() const { return other_; }
-    // What both show now. Call it about every kLookEvery.
+    // What both show now; looks that come sooner than kLookEvery are passed over.
     void add(const Levels& mine, const Levels& others, std::chrono::nanoseconds now);
     // Channels that they fought over of late.
     std::size_t fought(std::chrono::nanoseconds now) const {
@@ -37,7 +37,7 @@ private:
     Levels apart_for_{}; // looks in a row
     Half now_, before_;
     std::chrono::nanoseconds start_{0};
-    std::optional<std::chrono::nanoseconds> told_;
+    std::optional<std::chrono::nanoseconds> looked_, told_;
     std::size_t count_ = 0;
 };
 

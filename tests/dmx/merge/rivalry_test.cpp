@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <functional>
 
 namespace ghost::dmx {
@@ -16,14 +17,19 @@ using std::chrono::nanoseconds;
 constexpr int kSteps = 4;
 constexpr nanoseconds kStep = 250ms;
 
+using Levels4 = std::array<int, 4>;
+using Look = std::function<Levels4(nanoseconds)>;
+
 // One of the first four channels after the other, for a step each.
-std::initializer_list<int> chase(nanoseconds now) {
-    static constexpr std::initializer_list<int> kLooks[kSteps] = {
-        {255, 0, 0, 0}, {0, 255, 0, 0}, {0, 0, 255, 0}, {0, 0, 0, 255}};
-    return kLooks[now / kStep % kSteps];
+Levels4 chase(nanoseconds now) {
+    Levels4 levels{};
+    levels[static_cast<std::size_t>(now / kStep % kSteps)] = 255;
+    return levels;
 }
 
-using Look = std::function<std::initializer_list<int>(nanoseconds)>;
+Packet packet_of(Desk& desk, const Levels4& levels) {
+    return desk.packet({levels[0], levels[1], levels[2], levels[3]});
+}
 
 // Channels that two desks fight over at the end of this time.
 std::size_t fought(const Look& first, const Look& second, std::uint8_t priority = 100,
@@ -31,8 +37,8 @@ std::size_t fought(const Look& first, const Look& second, std::uint8_t priority 
     Merge merge;
     Desk a{1}, b{2, priority};
     for (nanoseconds now{0}; now < time; now += 25ms) {
-        merge.feed(a.packet(first(now)), now);
-        merge.feed(b.packet(second(now)), now);
+        merge.feed(packet_of(a, first(now)), now);
+        merge.feed(packet_of(b, second(now)), now);
         merge.tick(now);
         (void)merge.universes();
     }
@@ -43,7 +49,7 @@ std::size_t fought(const Look& first, const Look& second, std::uint8_t priority 
 }
 
 TEST(Rivalry, a_forgotten_desk_at_full_under_a_chase) {
-    const Look full = [](nanoseconds) { return std::initializer_list<int>{255, 255, 255, 255}; };
+    const Look full = [](nanoseconds) { return Levels4{255, 255, 255, 255}; };
     EXPECT_EQ(fought(chase, full), 4u);
     EXPECT_EQ(fought(full, chase), 4u);
     EXPECT_EQ(fought(chase, full, 90), 0u) << "it has the lower priority";
@@ -61,30 +67,23 @@ TEST(Rivalry, a_backup_that_follows) {
 
 TEST(Rivalry, halves_of_a_universe) {
     const Look first = [](nanoseconds now) {
-        return now / kStep % 2 ? std::initializer_list<int>{255, 0, 0, 0}
-                               : std::initializer_list<int>{0, 255, 0, 0};
+        return now / kStep % 2 ? Levels4{255, 0, 0, 0} : Levels4{0, 255, 0, 0};
     };
     const Look second = [](nanoseconds now) {
-        return now / kStep % 2 ? std::initializer_list<int>{0, 0, 255, 0}
-                               : std::initializer_list<int>{0, 0, 0, 255};
+        return now / kStep % 2 ? Levels4{0, 0, 255, 0} : Levels4{0, 0, 0, 255};
     };
     EXPECT_EQ(fought(first, second), 0u);
 }
 
 TEST(Rivalry, a_channel_that_is_handed_over) {
-    const Look first = [](nanoseconds now) {
-        return now < 12s ? std::initializer_list<int>{255} : std::initializer_list<int>{0};
-    };
-    const Look second = [](nanoseconds now) {
-        return now < 14s ? std::initializer_list<int>{0} : std::initializer_list<int>{255};
-    };
+    const Look first = [](nanoseconds now) { return now < 12s ? Levels4{255} : Levels4{0}; };
+    const Look second = [](nanoseconds now) { return now < 14s ? Levels4{0} : Levels4{255}; };
     EXPECT_EQ(fought(first, second, 100, 15s), 0u);
 }
 
 TEST(Rivalry, what_was_mended_is_forgotten) {
     const Look full = [](nanoseconds now) {
-        return now < 10s ? std::initializer_list<int>{255, 255, 255, 255}
-                         : std::initializer_list<int>{0, 0, 0, 0};
+        return now < 10s ? Levels4{255, 255, 255, 255} : Levels4{0, 0, 0, 0};
     };
     EXPECT_EQ(fought(chase, full, 100, 15s), 4u);
     EXPECT_EQ(fought(chase, full, 100, 40s), 0u);

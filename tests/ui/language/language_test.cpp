@@ -78,8 +78,9 @@ TEST_F(Language, SoAreTheSentencesThatItIsMadeOf) {
         "universe 1: only priorities per address (start code 0xDD), no levels. To tell them apart: where "
         "'tcpdump -ni any udp port 5568' shows packets to an address of ours, to its broadcast, to 239.255 "
         "or "
-        "ff18::, a firewall or the reverse path filter of this machine drops them; to another broadcast, the "
-        "masks differ; where it shows none at all, they do not get here: a cable, another VLAN, a switch "
+        "ff18::, a firewall or the reverse path filter of this machine drops them, or their sender has an "
+        "address of ours; to another broadcast, the masks differ; where it shows none at all, they do not "
+        "get here: a cable, another VLAN, a switch "
         "that "
         "holds multicast back (IGMP snooping without a querier), or a desk that is silent");
     for (const char* const part : {"nur Prioritäten je Adresse", "wo 'tcpdump -ni any udp port 5568' Pakete",
