@@ -70,6 +70,23 @@ def check_links(file, text):
                 wrong.append(f"{file.relative_to(ROOT)}:{number}: `{path}`: no such file")
 
 
+def check_named_files(files):
+    """Files of src/ that documents name by their room, and files that comments of the sources name by their folder."""
+    there = [file for top in TOPS.split("|") for file in (ROOT / top).rglob("*") if file.is_file()]
+    known = {"/" + file.relative_to(ROOT).as_posix() for file in there}
+    rooms = "|".join(sorted(folder.name for folder in (ROOT / "src").iterdir() if folder.is_dir()))
+    sources = [file for file in there if file.suffix in (".h", ".cpp", ".comp", ".glsl")]
+    count = 0
+    for file, pattern in [*((file, rf"`((?:{rooms})/[\w./-]+\.(?:h|cpp))`") for file in files if file.name != "CHANGELOG.md" and file.exists()),
+                          *((file, r"//.*?(?<![\w/.])((?:[\w-]+/)+[\w-]+\.(?:h|cpp|comp|glsl|md|py))\b") for file in sources)]:
+        for number, line in enumerate(file.read_text(encoding="utf-8").splitlines(), 1):
+            for name in re.findall(pattern, line):
+                count += 1
+                if not any(path.endswith("/" + name) for path in known):
+                    wrong.append(f"{file.relative_to(ROOT)}:{number}: {name}: no such file")
+    return count
+
+
 def check_dates(file, text):
     """A table of figures says when they were measured, or the whole document does at its beginning."""
     if DATE.search(text.partition("\n## ")[0]):
@@ -194,6 +211,7 @@ def main():
     lines = []
     files = documents()
     check_columns(files)
+    named = check_named_files(files)
     for file in files:
         if not file.exists():
             continue
@@ -209,8 +227,8 @@ def main():
             lines += check_commands(file, text, known)
     with concurrent.futures.ThreadPoolExecutor() as some:
         wrong.extend(fault for fault in some.map(run, lines) if fault)
-    print("\n".join([*wrong, f"{len(files)} documents, {len(lines)} command lines, {len(wrong)} wrong"]))
-    return 1 if wrong or len(files) < 40 or (PROGRAM and len(lines) < 100) else 0
+    print("\n".join([*wrong, f"{len(files)} documents, {len(lines)} command lines, {named} files named by their rooms, {len(wrong)} wrong"]))
+    return 1 if wrong or len(files) < 40 or named < 50 or (PROGRAM and len(lines) < 100) else 0
 
 
 if __name__ == "__main__":
