@@ -1,6 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: Apache-2.0
-// Link: all that passes between the window and the engine, which draws on a thread of its own. ViewRequest go
+// Link: all that passes between the window and the engine, which draws on a thread of its own. Requests go
 // in, news come out; both are plain values, the newest wins, nobody waits. Metres, degrees, seconds.
 
 #include "base/bounded_queue.h"
