@@ -85,6 +85,15 @@ def check_named_files(files):
     return count
 
 
+def check_index(files):
+    """Every page of docs/ stands in docs/index.md."""
+    index = (ROOT / "docs/index.md").read_text(encoding="utf-8")
+    for file in files:
+        name = file.relative_to(ROOT).as_posix().removeprefix("docs/")
+        if file.is_relative_to(ROOT / "docs") and name != "index.md" and f"({name})" not in index:
+            wrong.append(f"docs/index.md: does not name {name}")
+
+
 def check_dates(file, text):
     """A table of figures says when they were measured, or the whole document does at its beginning."""
     if DATE.search(text.partition("\n## ")[0]):
@@ -209,6 +218,7 @@ def main():
     lines = []
     files = documents()
     check_columns(files)
+    check_index(files)
     named = check_named_files(files)
     for file in files:
         if not file.exists():
