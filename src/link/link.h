@@ -7,7 +7,7 @@
 #include "base/mailbox.h"
 #include "base/signal.h"
 #include "diagnose/explain.h"
-#include "dmx/receive/receiver.h"
+#include "dmx/receive/statistics.h"
 #include "fixture/motion.h"
 #include "image/false_colour.h"
 #include "image/image.h"
