@@ -75,10 +75,11 @@ def check_named_files(files):
     rooms = "|".join(sorted(folder.name for folder in (ROOT / "src").iterdir() if folder.is_dir()))
     sources = [file for file in there if file.suffix in (".h", ".cpp", ".comp", ".glsl")]
     count = 0
-    for file, pattern in [*((file, rf"`((?:{rooms})/[\w./-]+\.(?:h|cpp))`") for file in files if file.name != "CHANGELOG.md" and file.exists()),
-                          *((file, r"//.*?(?<![\w/.])((?:[\w-]+/)+[\w-]+\.(?:h|cpp|comp|glsl|md|py))\b") for file in sources)]:
+    for file, before, pattern in [
+            *((file, "", rf"`((?:{rooms})/[\w./-]+\.(?:h|cpp))`") for file in files if file.name != "CHANGELOG.md" and file.exists()),
+            *((file, "// ", r"(?<![\w/.])((?:[\w-]+/)+[\w-]+\.(?:h|cpp|comp|glsl|md|py))\b") for file in sources)]:
         for number, line in enumerate(file.read_text(encoding="utf-8").splitlines(), 1):
-            for name in re.findall(pattern, line):
+            for name in re.findall(pattern, line.partition(before)[2] if before else line):
                 count += 1
                 if not any(path.endswith("/" + name) for path in known):
                     wrong.append(f"{file.relative_to(ROOT)}:{number}: {name}: no such file")
