@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
 """What a farm costs beside the work itself: a bake of 100 passes and a film of 2,000 frames on a Slurm of two nodes of one core each, all
-on this machine, against the ideal: the time of all tasks together, by two. docs/guide/farm.md has the figures.
+on this machine, against the ideal: the time of all tasks together, by two.
 Usage: measure_farm.py BUILD_FOLDER [bake|film]. Needs slurm-wlm and munge, two cores that do nothing else, and half an hour."""
 import pathlib
 import re

@@ -74,7 +74,7 @@ inline vec3 gobo_bilinear(const Gobos& gobos, int level, uint layer, vec2 uv) {
     return top * (1 - fy) + bottom * fy;
 }
 
-// The same texture coordinates and level as gobo_sample in shaders/gobo_texture.glsl.
+// The same texture coordinates and level as gobo_sample in shaders/common/gobo_texture.glsl.
 inline vec3 gobo_sample(uint layer, vec2 gate, float blur, const Gobos& gobos) {
     if (layer == 0u || static_cast<int>(layer) >= gobos.layers) return vec3(1.0f);
     const vec2 uv = glm::clamp(gate * vec2(0.5f, -0.5f) + vec2(0.5f), vec2(0.0f), vec2(1.0f));
@@ -107,7 +107,7 @@ inline vec3 slide_bilinear(const SlidePicture& picture, std::size_t level, vec2 
     return sum;
 }
 
-// As slide_sample in shaders/gobo_texture.glsl.
+// As slide_sample in shaders/common/gobo_texture.glsl.
 inline vec3 slide_sample(uint layer, vec2 place, float radius_texels, const Gobos& gobos) {
     if (layer > gobos.slides.size() || !gobos.slides[layer - 1].levels) return vec3(0.0f);
     const SlidePicture& picture = gobos.slides[layer - 1];

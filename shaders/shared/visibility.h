@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Kept visibility: what fraction of its lens a lamp shows to a fragment rests while lamp, stage and camera do (shaders/soft_shadow.glsl),
+// Kept visibility: what fraction of its lens a lamp shows to a fragment rests while lamp, stage and camera do (shaders/common/soft_shadow.glsl),
 // whatever the beam does. It is made when a beam reaches a tile (or a block of extra fragments) once more and kept in a page, a texel a
 // fragment. Before that, and where things move all the time, it is worked out just where light falls, for what is seen once is not worth
 // a page; no more of them are made in a frame than CullPush::most_made, so that none is late because a beam sweeps. (Where many

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "beam_groups/prism.h"
 
+#include "base/text.h"
 #include "image/colour.h"
 #include "photometry/photometry.h"
 #include "show/show.h"
@@ -31,28 +32,22 @@ constexpr float kRowOverlap = 1.5f;
 constexpr int kMostInRow = 12;
 constexpr float kOut = 1e-3f; // of a prism on its way
 
-bool is_prism(Role role) {
-    return role == Role::prism || role == Role::prism_index || role == Role::prism_rotate ||
-           role == Role::prism_select_spin;
-}
-
 std::vector<Copy> stand_in(const std::string& name) {
     int count = 0;
     bool linear = false;
-    std::string lower;
-    for (const char c : name) lower += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    linear = lower.find("lin") != std::string::npos;
+    const std::string small = lower(name);
+    linear = small.find("lin") != std::string::npos;
     // "6F", "8-facet", "5 - facet": the number before the word.
-    for (std::size_t i = 0; i < lower.size(); ++i) {
-        if (std::isdigit(static_cast<unsigned char>(lower[i])) == 0) continue;
+    for (std::size_t i = 0; i < small.size(); ++i) {
+        if (std::isdigit(static_cast<unsigned char>(small[i])) == 0) continue;
         std::size_t end = i;
         int number = 0;
-        while (end < lower.size() && std::isdigit(static_cast<unsigned char>(lower[end])) != 0 &&
+        while (end < small.size() && std::isdigit(static_cast<unsigned char>(small[end])) != 0 &&
                number < 1000)
-            number = number * 10 + (lower[end++] - '0');
+            number = number * 10 + (small[end++] - '0');
         std::size_t word = end;
-        while (word < lower.size() && (lower[word] == ' ' || lower[word] == '-')) ++word;
-        if (word < lower.size() && lower[word] == 'f' && number >= 2 && number < 1000) count = number;
+        while (word < small.size() && (small[word] == ' ' || small[word] == '-')) ++word;
+        if (word < small.size() && small[word] == 'f' && number >= 2 && number < 1000) count = number;
         i = end;
     }
     if (count == 0) count = kUsualFacets;

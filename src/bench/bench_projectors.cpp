@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// LaserCurve 8 of Screen Space Re-Rendering: ten VL2500S as video projectors. The show, its films and its
+// Figure 8 of Screen Space Re-Rendering: ten VL2500S as video projectors. The show, its films and its
 // baked passes are made in <show>/.ghost/projectors and stay there: `ghostlight render` draws it as any
 // other.
 #include "base/interrupt.h"

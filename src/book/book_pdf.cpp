@@ -4,7 +4,6 @@
 #include "book/private/entry_text.h"
 #include "image/ldr.h"
 #include "print/pdf_writer.h"
-#include "print/quantities.h"
 
 #include <algorithm>
 

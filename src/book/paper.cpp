@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "book/paper.h"
 
-#include "book/fixture_values.h"
 #include "book/private/paper_tables.h"
 #include "print/quantities.h"
 #include "show/show.h"

@@ -5,6 +5,7 @@
 #include "base/log.h"
 #include "base/print.h"
 #include "base/suggest.h"
+#include "base/text.h"
 #include "image/colour.h"
 #include "image/exr.h"
 #include "image/flip.h"
@@ -164,9 +165,7 @@ Result<Picture> read_display(const std::string& path) {
 }
 
 Result<Picture> read_picture(const std::string& path) {
-    std::string ending = std::filesystem::path(path).extension().string();
-    std::transform(ending.begin(), ending.end(), ending.begin(),
-                   [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
+    const std::string ending = lower(std::filesystem::path(path).extension().string());
     if (ending == ".exr") return read_linear(path);
     if (ending == ".png" || ending == ".jpg" || ending == ".jpeg") return read_display(path);
     return Error{"is no picture that can be compared, expected .exr, .png or .jpg", path};

@@ -2,7 +2,6 @@
 #include "fixture_files/load_type.h"
 
 #include "base/text.h"
-#include "fixture/values.h"
 #include "fixture_files/gdtf/gdtf.h"
 #include "fixture_files/ofl/ofl.h"
 #include "fixture_files/qxf/qxf.h"

@@ -164,6 +164,12 @@ std::string toml_text(const std::string& words) {
     return quoted + '"';
 }
 
+std::string toml_text(const std::vector<std::string>& names) {
+    std::string text = "[";
+    for (const std::string& name : names) text += (text.size() > 1 ? ", " : "") + toml_text(name);
+    return text + "]";
+}
+
 std::string toml_text(float number) {
     std::array<char, 32> digits{};
     const auto end =

@@ -59,7 +59,8 @@ private:
 };
 
 // As TOML writes it.
-std::string toml_text(const std::string& words); // "quoted"
+std::string toml_text(const std::string& words);              // "quoted"
+std::string toml_text(const std::vector<std::string>& names); // ["a", "b"]
 std::string toml_text(float number);
 
 } // namespace ghost::scene

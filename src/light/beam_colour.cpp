@@ -49,14 +49,14 @@ bool is_unsaid(const ColorCie& color) {
 }
 
 // The emitter that the Beam names, where the file knows its colour.
-const fixture::Emitter* beam_group_of(const Type& type, const Beam& beam) {
+const fixture::Emitter* emitter_of(const Type& type, const Beam& beam) {
     if (beam.emitter < 0) return nullptr;
     const fixture::Emitter& emitter = type.emitters[static_cast<std::size_t>(beam.emitter)];
     return emitter.spectral_color || !is_unsaid(emitter.color) ? &emitter : nullptr;
 }
 
 vec3 undimmed_white(const Type& type, const Beam& beam) {
-    if (const fixture::Emitter* emitter = beam_group_of(type, beam))
+    if (const fixture::Emitter* emitter = emitter_of(type, beam))
         return chromaticity(emitter->spectral_color.value_or(emitter->color));
     return image::cct_to_rec2020(beam.color_temperature_k);
 }
@@ -64,7 +64,7 @@ vec3 undimmed_white(const Type& type, const Beam& beam) {
 vec3 lamp_white(const Type& type, const Beam& beam, float cct_fraction) {
     if (cct_fraction == 1.0f) return undimmed_white(type, beam);
     const vec3 dimmed = image::cct_to_rec2020(beam.color_temperature_k * cct_fraction);
-    if (!beam_group_of(type, beam)) return dimmed;
+    if (!emitter_of(type, beam)) return dimmed;
     const vec3 full = glm::max(image::cct_to_rec2020(beam.color_temperature_k), vec3(kLeast));
     const vec3 red = undimmed_white(type, beam) * glm::max(dimmed, vec3(0.0f)) / full;
     return red / image::rec2020_to_xyz(red).y;
@@ -114,7 +114,7 @@ vec3 flag(const Type& type, const Beam& beam, int filter, const vec3& usual, flo
 vec3 filter_colour(const Type& type, const Beam& beam, const ColorCie& color) {
     vec3 passed = image::into_gamut(image::xyy_to_rec2020({color.x, color.y, color.Y / 100.0f}));
     // Colours beside a measured lamp are those of the beam behind the filter.
-    if (beam_group_of(type, beam) && !is_unsaid(color))
+    if (emitter_of(type, beam) && !is_unsaid(color))
         passed /= glm::max(undimmed_white(type, beam), vec3(kLeast));
     return passed / std::max(most_of(passed), 1.0f); // no filter adds light
 }

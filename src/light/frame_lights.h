@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What a fixture sends out now: lights, which brighten surfaces and air, and faces, which the camera sees
 // when it looks into them. A single lamp is one of each; a bar of cells is a face a cell and few lights
-// (emitters.h). Pure. docs/design/multi-cell.md.
+// (beam_groups/beam_groups.h). Pure. docs/design/multi-cell.md.
 
 #include "beam_groups/beam_groups.h"
 #include "fixture/state.h"

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "light/private/gate.h"
 
-#include "photometry/photometry.h"
 #include "shared/beam.h"
 
 #include <algorithm>

@@ -1,13 +1,13 @@
 #pragma once
 // SPDX-License-Identifier: Apache-2.0
-// Link: all that passes between the window and the engine, which draws on a thread of its own. ViewRequest go
+// Link: all that passes between the window and the engine, which draws on a thread of its own. Requests go
 // in, news come out; both are plain values, the newest wins, nobody waits. Metres, degrees, seconds.
 
 #include "base/bounded_queue.h"
 #include "base/mailbox.h"
 #include "base/signal.h"
 #include "diagnose/explain.h"
-#include "dmx/receive/receiver.h"
+#include "dmx/receive/statistics.h"
 #include "fixture/motion.h"
 #include "image/false_colour.h"
 #include "image/image.h"

@@ -2,7 +2,6 @@
 #include "mvr/mvr_edit.h"
 
 #include "base/text.h"
-#include "fixture/values.h"
 #include "mvr/private/mvr_values.h"
 
 #include <pugixml.hpp>

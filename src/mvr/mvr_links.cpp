@@ -4,7 +4,6 @@
 
 #include "base/suggest.h"
 #include "base/text.h"
-#include "fixture/values.h"
 
 #include <algorithm>
 #include <optional>

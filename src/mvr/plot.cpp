@@ -2,7 +2,6 @@
 #include "mvr/plot.h"
 
 #include "base/text.h"
-#include "fixture/values.h"
 
 #include <algorithm>
 

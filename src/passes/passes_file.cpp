@@ -4,7 +4,6 @@
 #include "image/exr.h"
 
 #include "base/check.h"
-#include "disk/files.h"
 #include "show/show.h"
 
 #include <algorithm>

@@ -3,7 +3,6 @@
 
 #include "base/text.h"
 #include "disk/files.h"
-#include "fixture/values.h"
 #include "mvr/mvr_write.h"
 #include "plots/plot_changes.h"
 #include "plots/plot_movers.h"

@@ -7,7 +7,6 @@
 #include "mvr/mvr_load.h"
 #include "plots/plot_changes.h"
 #include "plots/plot_movers.h"
-#include "plots/plot_stage.h"
 #include "show_file/show_toml.h"
 
 #include <algorithm>

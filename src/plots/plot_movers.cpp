@@ -52,12 +52,6 @@ std::vector<std::string> names_in(const toml::table& mover, const char* key) {
     return names;
 }
 
-std::string list_text(const std::vector<std::string>& names) {
-    std::string text = "[";
-    for (const std::string& name : names) text += (text.size() > 1 ? ", " : "") + toml_text(name);
-    return text + "]";
-}
-
 // What was called so when the movers were written is called otherwise now.
 std::map<std::string, std::string> new_names(const toml::table& root, const Show& opened,
                                              const std::string& file, Report& report) {
@@ -153,7 +147,7 @@ Result<std::string> imported_movers(const Show& opened, const fs::path& plot_fil
                     name = now->second;
                     is_other = true;
                 }
-            if (is_other) TRY_VOID(document.set(*mover, key, list_text(names)));
+            if (is_other) TRY_VOID(document.set(*mover, key, toml_text(names)));
         }
     }
     if (count == 0) return std::string();

@@ -8,7 +8,6 @@
 #include "plots/plot_types.h"
 #include "plots/private/plot_media.h"
 #include "show/limits.h"
-#include "stage/model_file.h"
 
 #include <algorithm>
 #include <atomic>

@@ -2,7 +2,6 @@
 #include "plots/plot_stage.h"
 
 #include "base/text.h"
-#include "fixture/values.h"
 #include "stage/model_reader.h"
 
 #include <algorithm>

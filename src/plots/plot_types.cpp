@@ -3,11 +3,9 @@
 
 #include "base/text.h"
 #include "fixture/patch.h"
-#include "fixture/values.h"
 #include "fixture_files/gdtf/gdtf.h"
 #include "fixture_files/load_type.h"
 #include "json_xml_toml/toml_reader.h"
-#include "stage/overrides.h"
 
 #include "base/suggest.h"
 

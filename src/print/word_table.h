@@ -1,6 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: Apache-2.0
-// The table behind book/words.h: what paper says, English and German, sorted by what prints it.
+// The table behind print/words.h: what paper says, English and German, sorted by what prints it.
 
 #include <iterator>
 #include <string_view>

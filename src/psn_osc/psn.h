@@ -20,8 +20,7 @@ namespace ghost::dmx {
 inline constexpr std::uint32_t kPsnGroup = 0xEC0A0A0A; // 236.10.10.10
 inline constexpr std::uint16_t kPsnPort = 56565;
 inline constexpr std::size_t kMostTrackers = 1024;
-inline constexpr std::size_t kMostTrackerName = 128; // bytes
-inline constexpr std::chrono::milliseconds kTrackerLoss{2000};
+inline constexpr std::size_t kMostTrackerName = 128;         // bytes
 inline constexpr std::chrono::seconds kTrackerForgotten{60}; // where others want its place
 
 struct PsnPosition {

@@ -9,7 +9,6 @@
 #include "json_xml_toml/toml_reader.h"
 #include "json_xml_toml/toml_text.h"
 #include "show/show.h"
-#include "stage/model_file.h"
 
 #include <algorithm>
 #include <set>

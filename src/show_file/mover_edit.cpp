@@ -10,12 +10,6 @@ namespace {
 constexpr int kChannels = static_cast<int>(dmx::kSlots); // of a universe
 constexpr int kBitsOfByte = 8;
 
-std::string names_text(const std::vector<std::string>& names) {
-    std::string text = "[";
-    for (const std::string& name : names) text += (text.size() > 1 ? ", " : "") + toml_text(name);
-    return text + "]";
-}
-
 std::string range_text(float from, float to) {
     return "[" + toml_text(from) + ", " + toml_text(to) + "]";
 }
@@ -49,8 +43,8 @@ Result<std::string> add_mover(const std::string& text, const Mover& mover) {
     std::string block = block_of("[[mover]]",
                                  {{"name", toml_text(mover.name)},
                                   {"kind", toml_text(std::string("hoists"))},
-                                  {"objects", names_text(mover.objects)},
-                                  {"fixtures", names_text(mover.fixtures)}},
+                                  {"objects", toml_text(mover.objects)},
+                                  {"fixtures", toml_text(mover.fixtures)}},
                                  "\n");
     for (const MoverAxis& axis : mover.axes) block += "\n" + block_of("[[mover.axis]]", keys_of(axis), "\n");
     return add_block(text, "mover", block);

@@ -1,13 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "show_file/show_edit.h"
 
-#include "fixture_files/common/laser_type.h"
-#include "fixture_files/common/projector_type.h"
-#include "fixture_files/common/wall_type.h"
-#include "fixture_files/load_type.h"
 #include "json_xml_toml/toml_keys.h"
 #include "show/show.h"
-#include "show_file/show_toml.h"
 
 #include <algorithm>
 #include <map>

@@ -2,14 +2,12 @@
 #include "show_folder/load_show.h"
 
 #include "base/text.h"
-#include "light/led_wall_light.h"
 #include "show_folder/private/extra_models.h"
 
 #include "base/suggest.h"
 #include "disk/files.h"
 #include "disk/user_cache.h"
 #include "fixture/patch.h"
-#include "fixture/values.h"
 #include "json_xml_toml/toml_reader.h"
 #include "plots/plot_changes.h"
 #include "plots/plot_show.h"

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // What Assimp does not check or know about glTF binaries (Khronos glTF 2.0, section 4.4).
 #include "stage/model_file.h"
+#include "stage/private/gltf_number.h"
 
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <optional>
 #include <set>
 #include <string_view>
 
@@ -26,11 +26,6 @@ float number_at(const nlohmann::json& json, const char* place, float fallback, f
 nlohmann::json list_at(const nlohmann::json& json, const char* key) {
     if (!json.is_object() || !json.contains(key) || !json[key].is_array()) return nlohmann::json::array();
     return json[key];
-}
-
-std::optional<std::size_t> index_at(const nlohmann::json& json, const char* key) {
-    if (!json.is_object() || !json.contains(key) || !json[key].is_number_unsigned()) return std::nullopt;
-    return json[key].get<std::size_t>();
 }
 
 // Length of the word for no number that stands here, or 0.
@@ -134,15 +129,15 @@ GltfExtras gltf_extras(Bytes glb) {
         if (!mesh.is_object() || !mesh.contains("name") || !mesh["name"].is_string()) continue;
         const nlohmann::json primitives = list_at(mesh, "primitives");
         for (std::size_t k = 0; k < primitives.size(); ++k) {
-            const auto mode = index_at(primitives[k], "mode");
-            const auto accessor = index_at(primitives[k], "indices");
+            const auto mode = unsigned_at(primitives[k], "mode");
+            const auto accessor = unsigned_at(primitives[k], "indices");
             const bool strip = mode == kGltfTriangleStrip;
             if ((!strip && mode.value_or(kGltfTriangles) != kGltfTriangles) || !accessor ||
                 *accessor >= accessors.size())
                 continue;
             const std::string name =
                 mesh["name"].get<std::string>() + (primitives.size() > 1 ? "-" + std::to_string(k) : "");
-            const std::size_t points = index_at(accessors[*accessor], "count").value_or(0);
+            const std::size_t points = unsigned_at(accessors[*accessor], "count").value_or(0);
             const std::size_t count = strip ? std::max<std::size_t>(points, 2) - 2 : points / 3;
             if (!extras.triangles.emplace(name, count).second) not_unique.insert(name);
         }

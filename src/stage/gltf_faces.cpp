@@ -2,10 +2,10 @@
 // glTF 2.0, section 3.7.2.1. Assimp 5.2 makes each face of a line or of a fan from the one before, which is
 // not there where an index was wrong, and counts the faces of what is too short for one from below zero.
 #include "stage/model_file.h"
+#include "stage/private/gltf_number.h"
 
 #include <nlohmann/json.hpp>
 
-#include <optional>
 #include <string_view>
 
 namespace ghost::scene {
@@ -14,12 +14,6 @@ namespace {
 using Json = nlohmann::json;
 
 constexpr std::size_t kPoints = 0, kLineLoop = 2, kLineStrip = 3, kTriangleFan = 6; // primitive modes
-
-std::optional<std::size_t> number_at(const Json& object, const char* key) {
-    if (!object.is_object() || !object.contains(key) || !object[key].is_number_unsigned())
-        return std::nullopt;
-    return object[key].get<std::size_t>();
-}
 
 std::size_t occurrences(std::string_view text, std::string_view words) {
     std::size_t count = 0;
@@ -32,11 +26,11 @@ std::size_t points_of(const Json& document, const Json& primitive) {
     const bool indexed = primitive.contains("indices");
     const Json empty = Json::object();
     const Json& attributes = primitive.contains("attributes") ? primitive["attributes"] : empty;
-    const auto accessor = indexed ? number_at(primitive, "indices") : number_at(attributes, "POSITION");
+    const auto accessor = indexed ? unsigned_at(primitive, "indices") : unsigned_at(attributes, "POSITION");
     if (!accessor || !document.contains("accessors") || !document["accessors"].is_array() ||
         *accessor >= document["accessors"].size())
         return 0;
-    return number_at(document["accessors"][*accessor], "count").value_or(0);
+    return unsigned_at(document["accessors"][*accessor], "count").value_or(0);
 }
 
 } // namespace
@@ -53,7 +47,7 @@ Result<std::string> without_unsafe_faces(std::string_view json, const std::strin
         for (Json& primitive : mesh["primitives"]) {
             if (!primitive.is_object()) continue;
             modes += primitive.contains("mode") ? 1 : 0;
-            const std::size_t mode = number_at(primitive, "mode").value_or(kGltfTriangles);
+            const std::size_t mode = unsigned_at(primitive, "mode").value_or(kGltfTriangles);
             const bool line = mode == kLineLoop || mode == kLineStrip;
             const bool fan = mode == kTriangleFan, strip = mode == kGltfTriangleStrip;
             const bool unsafe = line || (fan && primitive.contains("indices")) ||

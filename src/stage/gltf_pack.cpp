@@ -3,11 +3,11 @@
 
 #include "base/base64.h"
 #include "stage/model_file.h"
+#include "stage/private/gltf_number.h"
 
 #include <nlohmann/json.hpp>
 
 #include <array>
-#include <optional>
 #include <string_view>
 
 namespace ghost::scene {
@@ -42,12 +42,6 @@ void put(std::vector<std::uint8_t>& out, std::size_t value) {
 
 void pad(std::vector<std::uint8_t>& out, std::uint8_t filling) {
     while (out.size() % 4 != 0) out.push_back(filling);
-}
-
-std::optional<std::size_t> size_at(const Json& object, const char* key) {
-    if (!object.is_object() || !object.contains(key) || !object[key].is_number_unsigned())
-        return std::nullopt;
-    return object[key].get<std::size_t>();
 }
 
 } // namespace
@@ -89,8 +83,8 @@ glb_from_gltf(Bytes gltf, const std::string& name,
     }
     if (file.contains("bufferViews") && file["bufferViews"].is_array())
         for (Json& view : file["bufferViews"]) {
-            const auto index = size_at(view, "buffer");
-            const auto offset = size_at(view, "byteOffset").value_or(0);
+            const auto index = unsigned_at(view, "buffer");
+            const auto offset = unsigned_at(view, "byteOffset").value_or(0);
             if (!index || *index >= starts.size() || offset > kMaxBufferBytes)
                 return Error{"has a buffer view of a buffer that does not exist", name};
             view["buffer"] = 0;

@@ -4,7 +4,6 @@
 #include "base/helper_process.h"
 #include "base/text.h"
 #include "disk/files.h"
-#include "fixture/values.h"
 #include "stage/model_wire.h"
 
 #include <algorithm>

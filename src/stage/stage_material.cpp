@@ -3,6 +3,7 @@
 #include "image/colour.h"
 #include "image/ldr.h"
 #include "stage/model_file.h"
+#include "stage/overrides.h"
 
 #include <assimp/GltfMaterial.h>
 #include <assimp/material.h>
@@ -157,11 +158,6 @@ int texture_of(const aiMaterial& source, aiTextureType type, bool is_colour, Tex
     aiUVTransform transform;
     odd_mapping |= uv != 0 || source.Get(AI_MATKEY_UVTRANSFORM(type, 0), transform) == AI_SUCCESS;
     return table.add(path.C_Str(), is_colour);
-}
-
-// The lobe width of a Blinn-Phong exponent as a GGX roughness (Walter et al. 2007), perceptual.
-float roughness_from_shininess(float shininess) {
-    return std::pow(2.0f / (shininess + 2.0f), 0.25f);
 }
 
 Material material_from(const aiMaterial& source, TextureTable& table, bool& odd_mapping) {

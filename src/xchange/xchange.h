@@ -6,6 +6,7 @@
 // a file that is there. docs/guide/xchange.md.
 
 #include "base/result.h"
+#include "net/mdns.h"
 
 #include <cstdint>
 #include <filesystem>
@@ -23,7 +24,7 @@ struct XchangeOptions {
     std::vector<std::filesystem::path> share; // plots of ours
     std::vector<std::string> peers;           // "10.0.0.5:4568": stations that mDNS does not reach
     std::uint16_t port = 0;                   // TCP, ours; 0: one that is free
-    std::uint16_t mdns_port = 5353;           // another one for tests
+    std::uint16_t mdns_port = dmx::kMdnsPort; // another one for tests
     bool finds = true;                        // by mDNS, and is found
     std::uint64_t most_bytes = 16ull << 30;   // that are taken, all plots together
 };

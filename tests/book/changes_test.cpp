@@ -5,6 +5,7 @@
 #include "print/quantities.h"
 #include "show/looks.h"
 #include "show/show.h"
+#include "support/must.h"
 #include "support/tiny_gdtf.h"
 
 #include <gtest/gtest.h>
@@ -38,9 +39,7 @@ std::shared_ptr<const fixture::Type> spot() {
         description.channels = kChannels;
         description.geometries =
             R"(<Geometry Name="Base"><Axis Name="Head"><Beam Name="Beam" LuminousFlux="1000"/></Axis></Geometry>)";
-        auto loaded = fixture::load_xml(description.xml());
-        EXPECT_TRUE(loaded.ok());
-        return std::make_shared<const fixture::Type>(std::move(loaded->type));
+        return std::make_shared<const fixture::Type>(must(fixture::load_xml(description.xml())).type);
     }();
     return type;
 }

@@ -5,6 +5,7 @@
 #include "book/paper_pages.h"
 #include "print/quantities.h"
 #include "show/show.h"
+#include "support/must.h"
 #include "support/mvr_files.h"
 #include "support/tiny_gdtf.h"
 
@@ -27,9 +28,7 @@ std::shared_ptr<const fixture::Type> three_channel_spot(const std::string& prope
 <DMXChannel Offset="3" Geometry="Beam"><LogicalChannel Attribute="Color1">
   <ChannelFunction Name="Colour" Attribute="Color1" Wheel="W"><ChannelSet Name="Red" DMXFrom="9/1" WheelSlotIndex="2"/>
   </ChannelFunction></LogicalChannel></DMXChannel>)";
-    auto loaded = fixture::load_xml(description.xml());
-    EXPECT_TRUE(loaded.ok());
-    return std::make_shared<const fixture::Type>(std::move(loaded->type));
+    return std::make_shared<const fixture::Type>(must(fixture::load_xml(description.xml())).type);
 }
 
 PatchedFixture hung(const std::string& name, int universe, int address) {

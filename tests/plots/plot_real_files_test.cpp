@@ -103,7 +103,7 @@ TEST(plot_real_files, capture_and_festival) {
     EXPECT_GT(capture.stage.instances.size(), 2000u);
     EXPECT_LE(capture.stage.meshes.size(), 1800u);
     EXPECT_LT(capture.stage.materials.size(), 200u) << "materials that say the same are one";
-    // Placement movers look down: the pivot lies below where the base is.
+    // Moving heads that hang look down: the pivot lies below where the base is.
     std::size_t hung = 0;
     std::size_t down = 0;
     for (const PatchedFixture& fixture : capture.fixtures) {

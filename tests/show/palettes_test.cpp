@@ -2,6 +2,7 @@
 // Palettes as a show file has them: values of their kind, heads with their own, and what is said of mistakes.
 #include "show/show.h"
 #include "show_file/show_toml.h"
+#include "support/must.h"
 
 #include <gtest/gtest.h>
 
@@ -23,9 +24,7 @@ position_m = [0, 0, 4]
 
 struct Read {
     explicit Read(const std::string& text) {
-        auto parsed = parse_show(kWithSpot + text, "show.toml", report);
-        EXPECT_TRUE(parsed.ok());
-        show = std::move(parsed->show);
+        show = must(parse_show(kWithSpot + text, "show.toml", report)).show;
     }
     std::string said(std::size_t index) const {
         return index < report.messages.size()

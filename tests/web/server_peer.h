@@ -5,6 +5,7 @@
 #include "image/ldr.h"
 #include "json_xml_toml/json.h"
 #include "show/show.h"
+#include "support/must.h"
 #include "web/server.h"
 #include "web/websocket.h"
 
@@ -30,9 +31,7 @@ constexpr auto kLong = 20s; // for what a busy machine may take
 class Peer {
 public:
     explicit Peer(std::uint16_t port) : port_(port) {
-        auto stream = dmx::TcpStream::connect(dmx::IpAddress(0x7F000001), port);
-        EXPECT_TRUE(stream.ok());
-        stream_ = std::move(*stream);
+        stream_ = must(dmx::TcpStream::connect(dmx::IpAddress(0x7F000001), port));
     }
 
     void send(Bytes bytes) {
@@ -213,11 +212,7 @@ inline std::uint32_t number_of(const Buffer& picture) {
 
 class WebServer : public ::testing::Test {
 protected:
-    WebServer() {
-        auto opened = Server::open(link, options);
-        EXPECT_TRUE(opened.ok());
-        server = std::move(*opened);
-    }
+    WebServer() { server = must(Server::open(link, options)); }
 
     void open_show(std::size_t fixtures) {
         auto show = std::make_shared<scene::Show>();

@@ -7,7 +7,6 @@
 #include "diagnose/doctor_show.h"
 #include "dmx/record/player.h"
 #include "dmx/record/recording.h"
-#include "fixture/values.h"
 #include "fixture_files/load_type.h"
 #include "light/bodies.h"
 #include "light/mover_watch.h"

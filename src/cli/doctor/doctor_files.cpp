@@ -3,7 +3,6 @@
 
 #include "base/interrupt.h"
 #include "base/text.h"
-#include "fixture/values.h"
 #include "fixture_files/load_type.h"
 
 #include <algorithm>

@@ -4,7 +4,6 @@
 #include "base/print.h"
 #include "cli/options/number_option.h"
 #include "live/inputs/remote_input.h"
-#include "net/socket.h"
 #include "web/invitation.h"
 #include "web/qr.h"
 

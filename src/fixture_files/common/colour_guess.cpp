@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Colours by hex code, name and temperature; facets of a prism that is only counted.
 #include "base/text.h"
-#include "fixture/values.h"
 #include "fixture_files/common/type_builder.h"
 #include "image/colour.h"
 

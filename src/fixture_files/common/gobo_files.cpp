@@ -3,7 +3,6 @@
 
 #include "base/text.h"
 #include "disk/files.h"
-#include "fixture/values.h"
 #include "fixture_files/common/gobo_drawing.h"
 #include "image/ldr.h"
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Lamp and lens of a fixture whose file says little: docs/reference/fixture-formats.md has the table.
 #include "base/text.h"
-#include "fixture/values.h"
 #include "fixture_files/common/type_builder.h"
 
 #include <algorithm>

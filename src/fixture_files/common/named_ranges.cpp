@@ -3,7 +3,6 @@
 
 #include "base/text.h"
 #include "fixture/slot_meanings.h"
-#include "fixture/values.h"
 
 #include <algorithm>
 #include <cctype>

@@ -3,7 +3,6 @@
 #include "fixture_files/gdtf/private/gdtf_reader.h"
 
 #include "base/text.h"
-#include "fixture/values.h"
 #include "fixture_files/gdtf/private/gdtf_channel.h"
 #include "fixture_files/gdtf/private/gdtf_macros.h"
 

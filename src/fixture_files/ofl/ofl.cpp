@@ -2,7 +2,6 @@
 #include "fixture_files/ofl/ofl.h"
 
 #include "disk/files.h"
-#include "fixture/values.h"
 #include "fixture_files/ofl/private/ofl_reader.h"
 #include "json_xml_toml/json.h"
 

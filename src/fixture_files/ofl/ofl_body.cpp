@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Pixels, heads and the body of a mode.
 #include "base/text.h"
-#include "fixture/values.h"
 #include "fixture_files/ofl/private/ofl_mode_maker.h"
 #include "fixture_files/ofl/private/ofl_words.h"
 

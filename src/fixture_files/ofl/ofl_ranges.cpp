@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What a range of values does, wheels apart.
 #include "base/text.h"
-#include "fixture/values.h"
 #include "fixture_files/ofl/private/ofl_sketcher.h"
 
 #include <algorithm>

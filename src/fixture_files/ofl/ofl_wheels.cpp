@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Wheels and what their slots hold.
 #include "base/text.h"
-#include "fixture/values.h"
 #include "fixture_files/ofl/private/ofl_reader.h"
 
 #include <algorithm>

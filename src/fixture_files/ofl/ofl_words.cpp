@@ -2,7 +2,6 @@
 #include "fixture_files/ofl/private/ofl_words.h"
 
 #include "base/text.h"
-#include "fixture/values.h"
 
 #include <algorithm>
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // One channel of a definition -> functions of one byte.
 #include "base/text.h"
-#include "fixture/values.h"
 #include "fixture_files/qxf/private/qxf_sketcher.h"
 
 #include <cmath>

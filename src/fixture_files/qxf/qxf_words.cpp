@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What names of channels and capabilities mean. Half of all definitions say it in words only.
 #include "base/text.h"
-#include "fixture/values.h"
 #include "fixture_files/qxf/private/qxf_reader.h"
 
 #include <algorithm>

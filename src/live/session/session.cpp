@@ -14,7 +14,6 @@
 #include "show_folder/load_show.h"
 #include "show_folder/place_checks.h"
 
-#include "base/check.h"
 #include "base/log.h"
 #include "base/progress.h"
 #include "base/steady_time.h"

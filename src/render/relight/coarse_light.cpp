@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render/relight/coarse_light.h"
 
-#include "base/check.h"
 #include "render/geometry/layout.h"
 #include "shaders/coarse_cells.h"
 #include "shaders/coarse_extras.h"

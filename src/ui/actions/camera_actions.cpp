@@ -4,7 +4,6 @@
 #include "show/camera_moves.h"
 #include "show/show.h"
 #include "stage/box.h"
-#include "stage/overrides.h"
 #include "ui/actions/programmer_actions.h"
 #include "ui/language/language.h"
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/actions/fan_actions.h"
 
-#include "base/suggest.h"
 #include "show/show.h"
 #include "ui/actions/programmer_actions.h"
 #include "ui/language/language.h"

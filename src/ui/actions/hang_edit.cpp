@@ -6,7 +6,6 @@
 #include "show/show.h"
 #include "show_file/mover_edit.h"
 #include "show_folder/hang.h"
-#include "stage/overrides.h"
 #include "ui/actions/object_edit.h"
 #include "ui/actions/patch_edit.h"
 #include "ui/actions/programmer_actions.h"

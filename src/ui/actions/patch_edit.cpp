@@ -1,16 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/actions/patch_edit.h"
 
-#include "base/suggest.h"
 #include "base/text.h"
 #include "disk/files.h"
 #include "disk/user_file.h"
-#include "fixture/values.h"
 #include "fixture_files/load_type.h"
 #include "show/free_address.h"
 #include "show/names.h"
 #include "show_file/show_edit.h"
-#include "show_file/show_toml.h"
 #include "ui/language/language.h"
 
 #include <algorithm>

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/model/jobs.h"
 
-#include "ui/language/language.h"
-
 #include <QRegularExpression>
 #include <QStandardPaths>
 

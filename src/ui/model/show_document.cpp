@@ -3,7 +3,6 @@
 
 #include "disk/files.h"
 #include "disk/user_file.h"
-#include "show_file/show_edit.h"
 #include "show_folder/load_show.h"
 #include "ui/language/language.h"
 #include "ui/model/private/undo_ids.h"

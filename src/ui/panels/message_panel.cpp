@@ -2,7 +2,6 @@
 #include "ui/panels/message_panel.h"
 
 #include "diagnose/doctor.h"
-#include "show/camera_moves.h"
 #include "show/show.h"
 #include "ui/language/language.h"
 #include "ui/widgets/theme.h"

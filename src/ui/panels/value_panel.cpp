@@ -95,7 +95,7 @@ QString words_by_hand(const scene::ChannelFacts& channel, const fixture::Program
     }
 }
 
-// The words of diagnose/explain_words.h stand in columns, as in a terminal. In a panel as wide as a hand
+// The words of diagnose/explain_print.h stand in columns, as in a terminal. In a panel as wide as a hand
 // lines wrap, and what wraps is indented instead.
 QString as_paragraphs(const QString& words) {
     static const QRegularExpression kColumns(" {2,}");

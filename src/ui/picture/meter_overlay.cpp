@@ -3,8 +3,6 @@
 #include "ui/language/language.h"
 #include "ui/picture/overlays.h"
 
-#include "ui/widgets/theme.h"
-
 #include <QFontMetricsF>
 
 #include <algorithm>

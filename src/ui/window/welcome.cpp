@@ -3,7 +3,6 @@
 
 #include "show/show.h"
 #include "ui/language/language.h"
-#include "ui/widgets/theme.h"
 
 #include <QEvent>
 #include <QFileInfo>

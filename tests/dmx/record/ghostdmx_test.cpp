@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The .ghostdmx format: lossless for any frames, and what cuts, flipped bits and hostile bytes do to it.
 #include "disk/crc32.h"
+#include "support/must.h"
 #include "support/test_recording.h"
 
 namespace ghost::dmx {
@@ -208,9 +209,7 @@ TEST(Ghostdmx, the_search_for_the_next_good_block_has_an_end) {
             bytes.insert(bytes.end(), whole.begin() + ghostdmx::kHeaderBytes,
                          whole.begin() + ghostdmx::kHeaderBytes + 4);
         bytes.insert(bytes.end(), whole.begin() + second, whole.end() - 1); // without its index
-        const auto read = read_recording(write_bytes(folder.path / "marks.ghostdmx", bytes));
-        EXPECT_TRUE(read.ok());
-        return read->blocks();
+        return must(read_recording(write_bytes(folder.path / "marks.ghostdmx", bytes))).blocks();
     };
     EXPECT_EQ(blocks_behind(1000), recording->blocks());
     EXPECT_EQ(blocks_behind((1u << 30) / (8u << 10) + 1000), 1u);

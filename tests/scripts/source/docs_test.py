@@ -25,9 +25,7 @@ MEASURED = re.compile(r"\d ?dB\b|\d m?s of (?:processor|CPU)\b|seconds of proces
                       r"^Measured(?:: | on | with )|^## Measured|peak memory", re.M)
 HELD = re.compile(r"`test_\w+`|`tests/[\w/.]+`|\(tests/[\w/.]+\)|\]\((?:\.\./)?(?:docs/)?measurements/")
 # Documents that grow from day to day; ./dev format wraps them, too.
-NOT_YET_WRAPPED = {"CHANGELOG.md", "README.md", "docs/design/architecture.md", "docs/design/distance-maps.md", "docs/measurements/gpu.md",
-                   "docs/measurements/house.md", "docs/measurements/libraries.md", "docs/measurements/live-accuracy.md",
-                   "docs/measurements/paper-figures.md", "docs/measurements/performance.md", "docs/measurements/thesis.md",
+NOT_YET_WRAPPED = {"CHANGELOG.md", "docs/measurements/gpu.md", "docs/measurements/house.md", "docs/measurements/performance.md",
                    "docs/reference/mistakes.md", "docs/reference/network.md"}
 # These would meet the network or devices of this machine, or keep all of its cores busy: of them the values are looked at.
 OUTWARD = {"bench", "capture", "monitor", "play", "record", "serve", "xchange"}
@@ -68,6 +66,33 @@ def check_links(file, text):
         for path in PATH.findall(line):
             if not is_there(path.rstrip(".,")) and not path.startswith("docs/images"):
                 wrong.append(f"{file.relative_to(ROOT)}:{number}: `{path}`: no such file")
+
+
+def check_named_files(files):
+    """Files of src/ that documents name by their room, and files that comments of the sources name by their folder."""
+    there = [file for top in TOPS.split("|") for file in (ROOT / top).rglob("*") if file.is_file()]
+    known = {"/" + file.relative_to(ROOT).as_posix() for file in there}
+    rooms = "|".join(sorted(folder.name for folder in (ROOT / "src").iterdir() if folder.is_dir()))
+    sources = [file for file in there if file.suffix in (".h", ".cpp", ".comp", ".glsl")]
+    count = 0
+    for file, before, pattern in [
+            *((file, "", rf"`((?:{rooms})/[\w./-]+\.(?:h|cpp))`") for file in files if file.name != "CHANGELOG.md" and file.exists()),
+            *((file, "// ", r"(?<![\w/.])((?:[\w-]+/)+[\w-]+\.(?:h|cpp|comp|glsl|md|py))\b") for file in sources)]:
+        for number, line in enumerate(file.read_text(encoding="utf-8").splitlines(), 1):
+            for name in re.findall(pattern, line.partition(before)[2] if before else line):
+                count += 1
+                if not any(path.endswith("/" + name) for path in known):
+                    wrong.append(f"{file.relative_to(ROOT)}:{number}: {name}: no such file")
+    return count
+
+
+def check_index(files):
+    """Every page of docs/ stands in docs/index.md."""
+    index = (ROOT / "docs/index.md").read_text(encoding="utf-8")
+    for file in files:
+        name = file.relative_to(ROOT).as_posix().removeprefix("docs/")
+        if file.is_relative_to(ROOT / "docs") and name != "index.md" and f"({name})" not in index:
+            wrong.append(f"docs/index.md: does not name {name}")
 
 
 def check_dates(file, text):
@@ -194,6 +219,8 @@ def main():
     lines = []
     files = documents()
     check_columns(files)
+    check_index(files)
+    named = check_named_files(files)
     for file in files:
         if not file.exists():
             continue
@@ -209,8 +236,8 @@ def main():
             lines += check_commands(file, text, known)
     with concurrent.futures.ThreadPoolExecutor() as some:
         wrong.extend(fault for fault in some.map(run, lines) if fault)
-    print("\n".join([*wrong, f"{len(files)} documents, {len(lines)} command lines, {len(wrong)} wrong"]))
-    return 1 if wrong or len(files) < 40 or (PROGRAM and len(lines) < 100) else 0
+    print("\n".join([*wrong, f"{len(files)} documents, {len(lines)} command lines, {named} files named by their rooms, {len(wrong)} wrong"]))
+    return 1 if wrong or len(files) < 40 or named < 50 or (PROGRAM and len(lines) < 100) else 0
 
 
 if __name__ == "__main__":
