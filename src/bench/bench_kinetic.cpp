@@ -3,7 +3,7 @@
 // the paper's blend of passes from two places is from a pass of the place between them.
 #include "base/interrupt.h"
 #include "bench/bench.h"
-#include "bench/temporary_folder.h"
+#include "bench/private/temporary_folder.h"
 
 #include "bake/bake_show.h"
 #include "base/steady_time.h"

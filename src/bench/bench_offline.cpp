@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Tables of what happens before the first frame: baking and how right it is, geometry, start-up.
 #include "bench/bench.h"
-#include "bench/temporary_folder.h"
+#include "bench/private/temporary_folder.h"
 
 #include "bake/bake_show.h"
 #include "base/steady_time.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "bench/temporary_folder.h"
+#include "bench/private/temporary_folder.h"
 
 #include <cstdlib>
 #include <string>

@@ -2,8 +2,8 @@
 #include "diagnose/doctor_show.h"
 
 #include "base/text.h"
-#include "diagnose/doctor_substitute.h"
 #include "diagnose/private/doctor_patch.h"
+#include "diagnose/private/doctor_substitute.h"
 #include "disk/files.h"
 #include "fixture/values.h"
 #include "fixture_files/gdtf/gdtf.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "diagnose/doctor_substitute.h"
+#include "diagnose/private/doctor_substitute.h"
 
 #include "base/text.h"
 #include "diagnose/private/doctor_patch.h"

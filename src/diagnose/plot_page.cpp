@@ -2,8 +2,8 @@
 #include "diagnose/plot_page.h"
 
 #include "base/text.h"
-#include "diagnose/doctor_substitute.h"
 #include "diagnose/private/doctor_patch.h"
+#include "diagnose/private/doctor_substitute.h"
 #include "mvr/mvr_load.h"
 #include "plots/plot_types.h"
 #include "show/show.h"

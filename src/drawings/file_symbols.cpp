@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "drawings/file_symbols.h"
+#include "drawings/private/file_symbols.h"
 
-#include "drawings/rigging.h"
+#include "drawings/private/rigging.h"
 #include "show/show.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "drawings/focus.h"
-#include "drawings/view.h"
+#include "drawings/private/view.h"
 #include "print/pdf_writer.h"
 
 #include <algorithm>

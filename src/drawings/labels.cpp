@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "drawings/labels.h"
+#include "drawings/private/labels.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "drawings/outlines.h"
+#include "drawings/private/outlines.h"
 
 #include <algorithm>
 #include <cmath>

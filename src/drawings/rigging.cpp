@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "drawings/rigging.h"
+#include "drawings/private/rigging.h"
 
 #include "book/hangings.h"
-#include "drawings/outlines.h"
+#include "drawings/private/outlines.h"
 #include "fixture/decode.h"
 #include "show/show.h"
 

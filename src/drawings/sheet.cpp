@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "drawings/sheet.h"
+#include "drawings/private/sheet.h"
 
 #include <algorithm>
 #include <array>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "drawings/symbols.h"
+#include "drawings/private/symbols.h"
 
 #include "show/show.h"
 

@@ -4,8 +4,8 @@
 #include "base/check.h"
 #include "base/log.h"
 #include "gpu/buffer.h"
+#include "gpu/private/shader_constants.h"
 #include "gpu/push_layout.h"
-#include "gpu/shader_constants.h"
 #include "gpu/texture.h"
 
 #include <algorithm>

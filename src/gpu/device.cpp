@@ -6,7 +6,7 @@
 #include "gpu/device_failures.h"
 #include "gpu/device_memory.h"
 #include "gpu/pipelines.h"
-#include "gpu/shader_folder.h"
+#include "gpu/private/shader_folder.h"
 
 #include <algorithm>
 #include <cctype>

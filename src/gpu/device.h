@@ -32,7 +32,8 @@ struct DeviceOptions {
         name; // part of a device's name (case does not count), or its number in list_devices; empty: the best
     bool validation = false; // report misuse through the Khronos validation layer where it is installed
     std::uint64_t memory_limit_bytes = 0; // of all buffers and textures; 0: what the device has
-    std::string shaders; // a folder that they are read from (gpu/shader_folder.h); empty: those built in
+    std::string
+        shaders; // a folder that they are read from (gpu/private/shader_folder.h); empty: those built in
     bool pipeline_statistics = false; // keep what drivers say of pipelines, where they do (Pipelines::made)
     LoweredLimits lowered_limits;     // none
 };

@@ -3,8 +3,8 @@
 
 #include "base/check.h"
 #include "gpu/buffer.h"
+#include "gpu/private/shader_constants.h"
 #include "gpu/push_layout.h"
-#include "gpu/shader_constants.h"
 #include "gpu/texture.h"
 
 #include <array>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "gpu/shader_constants.h"
+#include "gpu/private/shader_constants.h"
 
 #include "base/check.h"
 

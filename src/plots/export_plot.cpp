@@ -5,8 +5,8 @@
 #include "disk/files.h"
 #include "mvr/mvr_write.h"
 #include "plots/plot_changes.h"
-#include "plots/plot_movers.h"
 #include "plots/plot_stage.h"
+#include "plots/private/plot_movers.h"
 #include "show_file/show_toml.h"
 
 #include <cstdint>

@@ -6,7 +6,7 @@
 #include "disk/user_file.h"
 #include "mvr/mvr_load.h"
 #include "plots/plot_changes.h"
-#include "plots/plot_movers.h"
+#include "plots/private/plot_movers.h"
 #include "show_file/show_toml.h"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "plots/plot_movers.h"
+#include "plots/private/plot_movers.h"
 
 #include "base/print.h"
 #include "base/text.h"

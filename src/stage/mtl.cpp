@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "stage/mtl.h"
+#include "stage/private/mtl.h"
 
 #include <algorithm>
 #include <string_view>

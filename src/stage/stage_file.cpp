@@ -5,7 +5,7 @@
 #include "stage/gltf_pack.h"
 #include "stage/model_file.h"
 #include "stage/model_reader.h"
-#include "stage/mtl.h"
+#include "stage/private/mtl.h"
 #include "stage/stage_checks.h"
 
 #include <assimp/BaseImporter.h>

@@ -4,8 +4,8 @@
 
 #include "diagnose/doctor.h"
 #include "diagnose/doctor_show.h"
-#include "diagnose/doctor_substitute.h"
 #include "diagnose/private/doctor_patch.h"
+#include "diagnose/private/doctor_substitute.h"
 #include "disk/files.h"
 #include "show_folder/load_show.h"
 

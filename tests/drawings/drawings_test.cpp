@@ -2,11 +2,11 @@
 // Plans and sections: lines of objects, which symbol stands for what, words that cover nothing, sheets.
 #include "drawings/drawings.h"
 
-#include "drawings/file_symbols.h"
-#include "drawings/labels.h"
-#include "drawings/outlines.h"
-#include "drawings/rigging.h"
-#include "drawings/sheet.h"
+#include "drawings/private/file_symbols.h"
+#include "drawings/private/labels.h"
+#include "drawings/private/outlines.h"
+#include "drawings/private/rigging.h"
+#include "drawings/private/sheet.h"
 #include "show/show.h"
 #include "stage/primitives.h"
 #include "support/must.h"

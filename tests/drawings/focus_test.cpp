@@ -2,7 +2,7 @@
 // Focus charts: where a beam goes, and the ellipse that its cone cuts out of the floor.
 #include "drawings/focus.h"
 
-#include "drawings/view.h"
+#include "drawings/private/view.h"
 #include "fixture/decode.h"
 #include "show/show.h"
 #include "support/must.h"

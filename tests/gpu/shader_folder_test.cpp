@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "gpu/shader_folder.h"
+#include "gpu/private/shader_folder.h"
 
 #include "support/test_folder.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "web/book_shelf.h"
+#include "web/private/book_shelf.h"
 
 #include "book/book_json.h"
 #include "disk/files.h"

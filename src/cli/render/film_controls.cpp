@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "cli/render/film_controls.h"
+#include "cli/render/private/film_controls.h"
 
 #include "show/camera_moves.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "base/interrupt.h"
 #include "cli/options/input_options.h"
-#include "cli/render/film_controls.h"
+#include "cli/render/private/film_controls.h"
 #include "cli/render/render_film.h"
 #include "dmx/record/recording_tasks.h"
 #include "live/engine/governor.h"

@@ -5,11 +5,11 @@
 
 #include "base/result.h"
 #include "drawings/drawings.h"
-#include "drawings/file_symbols.h"
-#include "drawings/labels.h"
-#include "drawings/outlines.h"
-#include "drawings/rigging.h"
-#include "drawings/sheet.h"
+#include "drawings/private/file_symbols.h"
+#include "drawings/private/labels.h"
+#include "drawings/private/outlines.h"
+#include "drawings/private/rigging.h"
+#include "drawings/private/sheet.h"
 #include "show/show.h"
 
 #include <cstddef>

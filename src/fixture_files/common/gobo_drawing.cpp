@@ -2,7 +2,7 @@
 #include "fixture_files/common/gobo_drawing.h"
 
 #include "base/text.h"
-#include "fixture_files/common/svg_shapes.h"
+#include "fixture_files/common/private/svg_shapes.h"
 #include "image/polygons.h"
 
 #include <glm/geometric.hpp>

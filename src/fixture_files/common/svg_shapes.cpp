@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "fixture_files/common/svg_shapes.h"
+#include "fixture_files/common/private/svg_shapes.h"
 
 #include "base/text.h"
 #include "fixture/values.h"

@@ -2,7 +2,7 @@
 #include "fixture_files/common/svg_symbol.h"
 
 #include "base/text.h"
-#include "fixture_files/common/svg_shapes.h"
+#include "fixture_files/common/private/svg_shapes.h"
 
 #include <glm/common.hpp>
 #include <glm/vec3.hpp>

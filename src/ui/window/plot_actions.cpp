@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ui/window/plot_actions.h"
+#include "ui/window/private/plot_actions.h"
 
 #include "disk/files.h"
 #include "show/show.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ui/window/print_dialog.h"
+#include "ui/window/private/print_dialog.h"
 
 #include "show/show.h"
 #include "ui/language/language.h"

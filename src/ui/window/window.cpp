@@ -33,11 +33,11 @@
 #include "ui/widgets/focus_guide.h"
 #include "ui/widgets/panel_area.h"
 #include "ui/widgets/wheel_guard.h"
-#include "ui/window/plot_actions.h"
-#include "ui/window/print_dialog.h"
 #include "ui/window/private/meter_actions.h"
 #include "ui/window/private/notice_bar.h"
 #include "ui/window/private/panel_rail.h"
+#include "ui/window/private/plot_actions.h"
+#include "ui/window/private/print_dialog.h"
 #include "ui/window/private/welcome.h"
 
 #include <QApplication>

@@ -8,7 +8,7 @@
 #include "diagnose/patch_map.h"
 #include "link/link.h"
 #include "net/tcp.h"
-#include "web/book_shelf.h"
+#include "web/private/book_shelf.h"
 #include "web/private/connection.h"
 #include "web/private/picture_packer.h"
 #include "web/private/viewer.h"

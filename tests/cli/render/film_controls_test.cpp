@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What a remote control and trackers do to a live film of the demo.
-#include "cli/render/film_controls.h"
+#include "cli/render/private/film_controls.h"
 
 #include "support/demo_copy.h"
 #include "support/must.h"

@@ -3,7 +3,7 @@
 // Labels: finds a place for words beside what they name, so that they cover neither each other nor what is
 // drawn: first next to it, then farther away with a line that leads back. Points. One thread.
 
-#include "drawings/view.h"
+#include "drawings/private/view.h"
 
 #include <cstdint>
 #include <optional>

@@ -3,7 +3,7 @@
 // Symbols that fixtures' own files draw (GDTF's 2D symbols), as they hang and from where the view looks. Pure
 // but for what is kept between calls; one thread.
 
-#include "drawings/view.h"
+#include "drawings/private/view.h"
 #include "fixture/type.h"
 #include "print/pdf_writer.h"
 

@@ -4,9 +4,9 @@
 // drawing is spread over sheets. Points, from the upper left corner. One thread.
 
 #include "drawings/drawings.h"
-#include "drawings/file_symbols.h"
-#include "drawings/symbols.h"
-#include "drawings/view.h"
+#include "drawings/private/file_symbols.h"
+#include "drawings/private/symbols.h"
+#include "drawings/private/view.h"
 #include "print/pdf_writer.h"
 
 #include <optional>

@@ -3,8 +3,8 @@
 // What a drawing shows of a rig: how large each fixture is, how it looks from the side, and on which trusses
 // and pipes they hang, by name. World metres. Pure; any thread.
 
-#include "drawings/symbols.h"
-#include "drawings/view.h"
+#include "drawings/private/symbols.h"
+#include "drawings/private/view.h"
 #include "fixture/state.h"
 #include "show_folder/hang.h"
 #include "stage/stage.h"

@@ -4,7 +4,7 @@
 // anything. An object with more lines than a sheet takes is its outermost line (convex). Metres of the view.
 // Pure; any thread.
 
-#include "drawings/view.h"
+#include "drawings/private/view.h"
 #include "stage/stage.h"
 
 #include <cstddef>
