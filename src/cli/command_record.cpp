@@ -4,6 +4,7 @@
 #include "base/interrupt.h"
 #include "base/log.h"
 #include "base/print.h"
+#include "base/steady_time.h"
 #include "cli/commands.h"
 #include "cli/options/input_options.h"
 #include "cli/options/number_option.h"
@@ -39,10 +40,6 @@ struct RecordOptions {
 int failed(const Error& error, int code) {
     log_error(error.text());
     return code;
-}
-
-nanoseconds steady_now() {
-    return std::chrono::steady_clock::now().time_since_epoch();
 }
 
 double seconds_between(nanoseconds from, nanoseconds to) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "net/mdns.h"
 
+#include "base/byte_writer.h"
 #include "base/text.h"
 
 #include <algorithm>
@@ -111,11 +112,6 @@ std::optional<std::optional<DnsRecord>> read_record(ByteReader& reader, Bytes al
     return record;
 }
 
-void put_u16(std::vector<std::uint8_t>& out, std::size_t value) {
-    out.push_back(static_cast<std::uint8_t>(value >> 8));
-    out.push_back(static_cast<std::uint8_t>(value));
-}
-
 void put_text(std::vector<std::uint8_t>& out, const std::string& text, std::size_t most) {
     const std::size_t size = std::min(text.size(), most);
     out.push_back(static_cast<std::uint8_t>(size));
@@ -137,9 +133,9 @@ void put_content(std::vector<std::uint8_t>& out, const DnsRecord& record) {
         out.insert(out.end(), record.address.bytes.begin(), record.address.bytes.end());
         break;
     case DnsType::srv:
-        put_u16(out, 0);
-        put_u16(out, 0);
-        put_u16(out, record.port);
+        put_u16_be(out, 0);
+        put_u16_be(out, 0);
+        put_u16_be(out, record.port);
         [[fallthrough]];
     case DnsType::ptr:
         put_name(out, record.target);
@@ -198,27 +194,27 @@ std::optional<DnsPacket> parse_dns(Bytes bytes) {
 
 std::vector<std::uint8_t> build_dns(const DnsPacket& packet) {
     std::vector<std::uint8_t> out;
-    put_u16(out, 0);
-    put_u16(out, packet.response ? kResponse : 0);
-    put_u16(out, packet.questions.size());
+    put_u16_be(out, 0);
+    put_u16_be(out, packet.response ? kResponse : 0);
+    put_u16_be(out, packet.questions.size());
     // Known answers of a question are answers, too.
-    put_u16(out, packet.records.size());
-    put_u16(out, 0);
-    put_u16(out, 0);
+    put_u16_be(out, packet.records.size());
+    put_u16_be(out, 0);
+    put_u16_be(out, 0);
     for (const DnsQuestion& question : packet.questions) {
         put_name(out, question.name);
-        put_u16(out, static_cast<std::uint16_t>(question.type));
-        put_u16(out, kInternet);
+        put_u16_be(out, static_cast<std::uint16_t>(question.type));
+        put_u16_be(out, kInternet);
     }
     for (const DnsRecord& record : packet.records) {
         put_name(out, record.name);
-        put_u16(out, static_cast<std::uint16_t>(record.type));
-        put_u16(out, kInternet); // never "flush": stations of a group may share a name
-        put_u16(out, record.ttl_s >> 16);
-        put_u16(out, record.ttl_s & 0xFFFF);
+        put_u16_be(out, static_cast<std::uint16_t>(record.type));
+        put_u16_be(out, kInternet); // never "flush": stations of a group may share a name
+        put_u16_be(out, record.ttl_s >> 16);
+        put_u16_be(out, record.ttl_s & 0xFFFF);
         std::vector<std::uint8_t> content;
         put_content(content, record);
-        put_u16(out, content.size());
+        put_u16_be(out, content.size());
         out.insert(out.end(), content.begin(), content.end());
     }
     return out;

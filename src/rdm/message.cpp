@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "rdm/message.h"
 
+#include "base/byte_writer.h"
 #include "base/check.h"
 
 #include <cstdio>
@@ -16,15 +17,10 @@ constexpr std::size_t kChecksumBytes = 2;
 constexpr std::uint8_t kPreamble = 0xFE, kEndOfPreamble = 0xAA;
 constexpr std::size_t kMaxPreamble = 7, kEncodedBytes = 16;
 
-void put_u16(std::vector<std::uint8_t>& out, std::size_t value) {
-    out.push_back(static_cast<std::uint8_t>(value >> 8));
-    out.push_back(static_cast<std::uint8_t>(value));
-}
-
 void put_uid(std::vector<std::uint8_t>& out, const Uid& uid) {
-    put_u16(out, uid.maker);
-    put_u16(out, uid.device >> 16);
-    put_u16(out, uid.device & 0xFFFF);
+    put_u16_be(out, uid.maker);
+    put_u16_be(out, uid.device >> 16);
+    put_u16_be(out, uid.device & 0xFFFF);
 }
 
 Uid read_uid(ByteReader& reader) {
@@ -82,13 +78,13 @@ std::vector<std::uint8_t> build(const Message& message) {
     out.push_back(message.transaction);
     out.push_back(message.port_or_answer);
     out.push_back(message.queued);
-    put_u16(out, message.sub_device);
+    put_u16_be(out, message.sub_device);
     out.push_back(
         static_cast<std::uint8_t>(static_cast<int>(message.command) | (message.is_response ? 1 : 0)));
-    put_u16(out, message.pid);
+    put_u16_be(out, message.pid);
     out.push_back(static_cast<std::uint8_t>(message.data.size()));
     out.insert(out.end(), message.data.begin(), message.data.end());
-    put_u16(out, sum_of(out));
+    put_u16_be(out, sum_of(out));
     return out;
 }
 

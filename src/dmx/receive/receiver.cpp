@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "dmx/receive/receiver.h"
 
+#include "base/steady_time.h"
 #include "dmx/merge/catch_up.h"
 #include "dmx/receive/intake.h"
 #include "dmx/receive/poll_answers.h"
@@ -31,10 +32,6 @@ constexpr nanoseconds kInterfacesEvery = 1s;
 // A turn that took longer than this is a pause: what waits in the sockets is old, and of what is newest some
 // may have found no room there.
 constexpr nanoseconds kPause = 300ms;
-
-nanoseconds steady_now() {
-    return std::chrono::steady_clock::now().time_since_epoch();
-}
 
 std::vector<std::uint16_t> announced_universes(const std::vector<std::uint16_t>& universes) {
     std::vector<std::uint16_t> result = universes;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "dmx/wire/build.h"
 
+#include "base/byte_writer.h"
 #include "base/check.h"
 
 #include <algorithm>
@@ -9,14 +10,9 @@ namespace ghost::dmx {
 
 namespace {
 
-void put_u16(std::vector<std::uint8_t>& out, std::size_t value) {
-    out.push_back(static_cast<std::uint8_t>(value >> 8));
-    out.push_back(static_cast<std::uint8_t>(value));
-}
-
 void put_u32(std::vector<std::uint8_t>& out, std::uint32_t value) {
-    put_u16(out, value >> 16);
-    put_u16(out, value & 0xFFFFu);
+    put_u16_be(out, value >> 16);
+    put_u16_be(out, value & 0xFFFFu);
 }
 
 void put_text(std::vector<std::uint8_t>& out, const std::string& text, std::size_t size) {
@@ -27,15 +23,15 @@ void put_text(std::vector<std::uint8_t>& out, const std::string& text, std::size
 
 // Flags and length of a layer that begins here and ends with the packet.
 void put_layer(std::vector<std::uint8_t>& out, std::size_t size) {
-    put_u16(out, 0x7000u | (size - out.size()));
+    put_u16_be(out, 0x7000u | (size - out.size()));
 }
 
 std::vector<std::uint8_t> sacn_root(std::size_t size, std::uint32_t vector,
                                     const std::array<std::uint8_t, 16>& cid) {
     std::vector<std::uint8_t> out;
     out.reserve(size);
-    put_u16(out, 0x0010);
-    put_u16(out, 0);
+    put_u16_be(out, 0x0010);
+    put_u16_be(out, 0);
     for (const char letter : {'A', 'S', 'C', '-', 'E', '1', '.', '1', '7', '\0', '\0', '\0'})
         out.push_back(static_cast<std::uint8_t>(letter));
     put_layer(out, size);
@@ -55,16 +51,16 @@ std::vector<std::uint8_t> build_sacn(std::uint16_t universe, Bytes slots, std::u
     put_u32(out, 2);
     put_text(out, source.name, 64);
     out.push_back(source.priority);
-    put_u16(out, extras.sync_universe);
+    put_u16_be(out, extras.sync_universe);
     out.push_back(sequence);
     out.push_back(extras.options);
-    put_u16(out, universe);
+    put_u16_be(out, universe);
     put_layer(out, size);
     out.push_back(2);
     out.push_back(0xA1);
-    put_u16(out, 0);
-    put_u16(out, 1);
-    put_u16(out, slots.size() + 1);
+    put_u16_be(out, 0);
+    put_u16_be(out, 1);
+    put_u16_be(out, slots.size() + 1);
     out.push_back(extras.start_code);
     out.insert(out.end(), slots.begin(), slots.end());
     CHECK_EQ(out.size(), size);
@@ -78,8 +74,8 @@ std::vector<std::uint8_t> build_sacn_sync(std::uint16_t universe, std::uint8_t s
     put_layer(out, size);
     put_u32(out, 1);
     out.push_back(sequence);
-    put_u16(out, universe);
-    put_u16(out, 0);
+    put_u16_be(out, universe);
+    put_u16_be(out, 0);
     CHECK_EQ(out.size(), size);
     return out;
 }
@@ -99,7 +95,7 @@ std::vector<std::uint8_t> build_sacn_discovery(std::span<const std::uint16_t> un
     put_u32(out, 1);
     out.push_back(page);
     out.push_back(last_page);
-    for (const std::uint16_t universe : universes) put_u16(out, universe);
+    for (const std::uint16_t universe : universes) put_u16_be(out, universe);
     CHECK_EQ(out.size(), size);
     return out;
 }
@@ -113,7 +109,7 @@ std::vector<std::uint8_t> build_artdmx(std::uint16_t port_address, Bytes slots, 
     out.push_back(0); // Physical
     out.push_back(static_cast<std::uint8_t>(port_address));
     out.push_back(static_cast<std::uint8_t>(port_address >> 8));
-    put_u16(out, length);
+    put_u16_be(out, length);
     out.insert(out.end(), slots.begin(), slots.end());
     out.resize(18 + length);
     return out;
@@ -132,17 +128,17 @@ std::array<std::uint8_t, 239> build_poll_reply(const PollReply& reply) {
     put_u32(out, reply.ipv4);
     out.push_back(0x36); // port 6454, low byte first
     out.push_back(0x19);
-    put_u16(out, 1);                                      // firmware version
+    put_u16_be(out, 1);                                   // firmware version
     out.push_back(static_cast<std::uint8_t>(first >> 8)); // NetSwitch
     out.push_back((first >> 4) & 15);                     // SubSwitch
-    put_u16(out, 0x00FF);                                 // OEM code: unknown
+    put_u16_be(out, 0x00FF);                              // OEM code: unknown
     out.push_back(0);                                     // no UBEA
     out.push_back(reply.rdm ? 0xE2 : 0xE0); // Status1: indicators normal, set from the network; RDM
-    put_u16(out, 0);                        // no ESTA manufacturer code
+    put_u16_be(out, 0);                     // no ESTA manufacturer code
     put_text(out, reply.short_name, 18);
     put_text(out, reply.long_name, 64);
     put_text(out, reply.report, 64);
-    put_u16(out, reply.ports.size());
+    put_u16_be(out, reply.ports.size());
     put_ports(out, [](const PollReply::Port&) { return 0x80; }); // PortTypes: DMX512 output
     out.insert(out.end(), 4, 0);                                 // GoodInput
     // GoodOutputA: bit 7 levels arrive, bit 3 two sources merge, bit 1 latest-takes-precedence

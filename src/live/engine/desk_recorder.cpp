@@ -1,17 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "live/engine/desk_recorder.h"
 
+#include "base/steady_time.h"
+
 #include <utility>
 
 namespace ghost::app {
-namespace {
-
-std::chrono::nanoseconds steady_now() {
-    return std::chrono::steady_clock::now().time_since_epoch();
-}
-
-} // namespace
-
 void DeskRecorder::put(const dmx::Universes& universes, std::chrono::nanoseconds now) {
     const std::lock_guard lock(mutex_);
     if (recording_) recording_->put(universes, now);
