@@ -6,6 +6,7 @@
 #include <utility>
 
 namespace ghost::app {
+
 void DeskRecorder::put(const dmx::Universes& universes, std::chrono::nanoseconds now) {
     const std::lock_guard lock(mutex_);
     if (recording_) recording_->put(universes, now);
