@@ -5777,6 +5777,54 @@ Bitte den Namen des Ordners prüfen.</translation>
         <source>%1. To tell them apart: where &apos;%2&apos; shows packets to an address of ours, to its broadcast, to 239.255 or ff18::, a firewall or the reverse path filter of this machine drops them, or their sender has an address of ours; to another broadcast, the masks differ; where it shows none at all, they do not get here: a cable, another VLAN, a switch that holds multicast back (IGMP snooping without a querier), or a desk that is silent</source>
         <translation>%1. So unterscheidet man sie: wo &apos;%2&apos; Pakete an eine Adresse von uns, an deren Broadcast, an 239.255 oder ff18:: zeigt, verwirft sie eine Firewall oder der Rückwegfilter (rp_filter) dieses Rechners, oder ihr Sender hat eine Adresse von uns; an einen anderen Broadcast, dann sind die Masken verschieden; wo es gar keine zeigt, kommen sie nicht bis hierher: ein Kabel, ein anderes VLAN, ein Switch, der Multicast zurückhält (IGMP-Snooping ohne Querier), oder ein Pult, das schweigt</translation>
     </message>
+    <message>
+        <source>%1 overrides %2, which would light it: on %3 it sends %4 instead of %5</source>
+        <translation>%1 geht %2 vor, das es leuchten ließe: auf %3 sendet es %4 statt %5</translation>
+    </message>
+    <message>
+        <source>%1 overrides %2: on %3 it sends %4 instead of %5</source>
+        <translation>%1 geht %2 vor: auf %3 sendet es %4 statt %5</translation>
+    </message>
+    <message>
+        <source>%1 and %2 have the same say: on %3 they send %4 and %5, and %6 shows, for it changed last (LTP); the first alone would light it</source>
+        <translation>%1 und %2 haben gleich viel zu sagen: auf %3 senden sie %4 und %5, und %6 gilt, denn es hat sich zuletzt geändert (LTP); das erste allein ließe es leuchten</translation>
+    </message>
+    <message>
+        <source>%1 and %2 have the same say: on %3 they send %4 and %5, and %6 shows, for it changed last (LTP)</source>
+        <translation>%1 und %2 haben gleich viel zu sagen: auf %3 senden sie %4 und %5, und %6 gilt, denn es hat sich zuletzt geändert (LTP)</translation>
+    </message>
+    <message>
+        <source>%1 and %2 have the same say: on %3 they send %4 and %5, and %6 shows; the first alone would light it</source>
+        <translation>%1 und %2 haben gleich viel zu sagen: auf %3 senden sie %4 und %5, und %6 gilt; das erste allein ließe es leuchten</translation>
+    </message>
+    <message>
+        <source>%1 and %2 have the same say: on %3 they send %4 and %5, and %6 shows</source>
+        <translation>%1 und %2 haben gleich viel zu sagen: auf %3 senden sie %4 und %5, und %6 gilt</translation>
+    </message>
+    <message>
+        <source>%1, priority none for this address) sends %2 on %3 but its list of priorities per address ends before that channel; nobody holds it</source>
+        <translation>%1, für diese Adresse ohne Priorität) sendet %2 auf %3, aber seine Liste der Prioritäten je Adresse endet vor diesem Kanal; niemand hält ihn</translation>
+    </message>
+    <message>
+        <source>%1, priority none for this address) sends %2 on %3 but its priority per address there is 0, or above 200, which is none; nobody holds it</source>
+        <translation>%1, für diese Adresse ohne Priorität) sendet %2 auf %3, aber seine Priorität je Adresse ist dort 0 oder über 200, was keine ist; niemand hält ihn</translation>
+    </message>
+    <message>
+        <source>%1, priority none for this address) sends %2 on %3 but says by its priority per address that the channel is not its own; nobody holds it</source>
+        <translation>%1, für diese Adresse ohne Priorität) sendet %2 auf %3, sagt aber durch seine Priorität je Adresse, dass der Kanal nicht sein eigener ist; niemand hält ihn</translation>
+    </message>
+    <message>
+        <source>%1, priority none for this address)</source>
+        <translation>%1, für diese Adresse ohne Priorität)</translation>
+    </message>
+    <message>
+        <source>%1, priority %2 for this address)</source>
+        <translation>%1, für diese Adresse Priorität %2)</translation>
+    </message>
+    <message>
+        <source>%1, priority %2)</source>
+        <translation>%1, Priorität %2)</translation>
+    </message>
 </context>
 <context>
     <name>Transport</name>

@@ -157,6 +157,25 @@ constexpr const char* kSentences[] = {
     QT_TRANSLATE_NOOP("Sentence", "their universe %1 never arrived"),
     QT_TRANSLATE_NOOP("Sentence", "their universe %1 is lost"),
     QT_TRANSLATE_NOOP("Sentence", "their universe %1 comes with fewer channels"),
+    QT_TRANSLATE_NOOP("Sentence", "%1 overrides %2, which would light it: on %3 it sends %4 instead of %5"),
+    QT_TRANSLATE_NOOP("Sentence", "%1 overrides %2: on %3 it sends %4 instead of %5"),
+    QT_TRANSLATE_NOOP("Sentence", "%1 and %2 have the same say: on %3 they send %4 and %5, and %6 shows, for "
+                                  "it changed last (LTP); the first alone would light it"),
+    QT_TRANSLATE_NOOP(
+        "Sentence",
+        "%1 and %2 have the same say: on %3 they send %4 and %5, and %6 shows, for it changed last (LTP)"),
+    QT_TRANSLATE_NOOP("Sentence", "%1 and %2 have the same say: on %3 they send %4 and %5, and %6 shows; the "
+                                  "first alone would light it"),
+    QT_TRANSLATE_NOOP("Sentence", "%1 and %2 have the same say: on %3 they send %4 and %5, and %6 shows"),
+    QT_TRANSLATE_NOOP("Sentence", "%1, priority none for this address) sends %2 on %3 but its list of "
+                                  "priorities per address ends before that channel; nobody holds it"),
+    QT_TRANSLATE_NOOP("Sentence", "%1, priority none for this address) sends %2 on %3 but its priority per "
+                                  "address there is 0, or above 200, which is none; nobody holds it"),
+    QT_TRANSLATE_NOOP("Sentence", "%1, priority none for this address) sends %2 on %3 but says by its "
+                                  "priority per address that the channel is not its own; nobody holds it"),
+    QT_TRANSLATE_NOOP("Sentence", "%1, priority none for this address)"),
+    QT_TRANSLATE_NOOP("Sentence", "%1, priority %2 for this address)"),
+    QT_TRANSLATE_NOOP("Sentence", "%1, priority %2)"),
     QT_TRANSLATE_NOOP("Sentence", "nobody holds their channels"),
     QT_TRANSLATE_NOOP("Sentence", "a source of higher priority overrides another"),
     QT_TRANSLATE_NOOP("Sentence", "two sources of equal priority send different things"),

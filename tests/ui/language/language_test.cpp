@@ -95,6 +95,15 @@ TEST_F(Language, SoAreTheSentencesThatItIsMadeOf) {
         "gepatcht: am Pult nicht gepatcht?");
 }
 
+TEST_F(Language, SoIsWhoOverridesWhom) {
+    EXPECT_EQ(
+        in_german("'House' (sACN, 10.0.0.3, priority 150) overrides 'FOH' (sACN, 10.0.0.2, priority 100 for "
+                  "this address), which would light it: on channel 1 (1.1) it sends 0 instead of 255"),
+        "'House' (sACN, 10.0.0.3, Priorität 150) geht 'FOH' (sACN, 10.0.0.2, für diese Adresse Priorität "
+        "100) "
+        "vor, das es leuchten ließe: auf Kanal 1 (1.1) sendet es 0 statt 255");
+}
+
 TEST_F(Language, WhatIsQuotedStays) {
     EXPECT_EQ(in_german("another cue is called 'nothing'"), "ein anderer Cue heißt 'nothing'");
 }
