@@ -5825,6 +5825,14 @@ Bitte den Namen des Ordners prüfen.</translation>
         <source>%1, priority %2)</source>
         <translation>%1, Priorität %2)</translation>
     </message>
+    <message>
+        <source>%1 comes from more than one source of equal priority, %2, and they have up to %3 up by turns: %4. If both play these lamps, all is well; if one is a backup, it is out of step: give it a lower priority</source>
+        <translation>%1 kommt von mehr als einer Quelle gleicher Priorität, %2, und sie haben bis zu %3 abwechselnd oben: %4. Spielen beide diese Lampen, ist alles gut; ist eine ein Backup, so läuft es nicht im Takt: ihm eine niedrigere Priorität geben</translation>
+    </message>
+    <message>
+        <source>%1 come from more than one source of equal priority, %2, and they have up to %3 up by turns: %4. If both play these lamps, all is well; if one is a backup, it is out of step: give it a lower priority</source>
+        <translation>%1 kommen von mehr als einer Quelle gleicher Priorität, %2, und sie haben bis zu %3 abwechselnd oben: %4. Spielen beide diese Lampen, ist alles gut; ist eine ein Backup, so läuft es nicht im Takt: ihm eine niedrigere Priorität geben</translation>
+    </message>
 </context>
 <context>
     <name>Transport</name>

@@ -232,7 +232,7 @@ void add_two_desks(const dmx::Statistics& statistics, const PatchMap& patch, Sen
             by_universe[source.universe].push_back(&source);
     struct Fight {
         std::set<int> universes;
-        std::size_t channels = 0;
+        std::size_t channels = 0, turns = 0;
         bool contested = false; // channels that more than one sends above 0
         std::string merge;
         std::set<std::string> dark; // who sends nothing above 0
@@ -241,16 +241,17 @@ void add_two_desks(const dmx::Statistics& statistics, const PatchMap& patch, Sen
     };
     std::map<std::string, Fight> fights; // by who
     for (const auto& [universe, sources] : by_universe) {
-        std::size_t differ = 0, meet = 0;
+        std::size_t differ = 0, turns = 0, meet = 0;
         bool all_artnet = true, contested = false;
         std::set<std::string> who, dark, down;
         std::size_t all_down = 0;
         std::set<int> ranks; // of those that do not have their way: whom they meet has the same
         for (const dmx::SourceStatus* source : sources)
-            if (source->slots_overruled > 0) ranks.insert(source->highest_priority);
+            if (source->slots_overruled + source->slots_by_turns > 0) ranks.insert(source->highest_priority);
         for (const dmx::SourceStatus* source : sources) {
             if (!source->per_address_priority && !ranks.contains(source->highest_priority)) continue;
             differ = std::max(differ, source->slots_overruled);
+            turns = std::max(turns, source->slots_by_turns);
             contested |= source->slots_contested > 0;
             all_artnet &= source->protocol == dmx::Protocol::artnet;
             who.insert(sends_text(*source, sources));
@@ -261,10 +262,11 @@ void add_two_desks(const dmx::Statistics& statistics, const PatchMap& patch, Sen
             all_down += source->is_dark || dimmers_are_down(*source, patch) ? 1 : 0;
             ++meet;
         }
-        if (differ == 0 || meet < 2) continue;
+        if (differ + turns == 0 || meet < 2) continue;
         Fight& fight = fights[joined(who)];
         fight.universes.insert(universe);
         fight.channels = std::max(fight.channels, differ);
+        fight.turns = std::max(fight.turns, turns);
         fight.contested |= contested;
         fight.dark.insert(dark.begin(), dark.end());
         if (all_down < meet) fight.down.insert(down.begin(), down.end());
@@ -274,11 +276,16 @@ void add_two_desks(const dmx::Statistics& statistics, const PatchMap& patch, Sen
                           : "of each channel the higher level shows (HTP)";
     }
     for (const auto& [who, fight] : fights) {
+        const bool is_by_turns = fight.turns > 0 && !fight.contested;
         const std::string text =
             universes_text(fight.universes) + (fight.universes.size() == 1 ? " comes" : " come") +
-            " from more than one source of equal priority, " + who + ", and they differ on up to " +
-            count_text(fight.channels, "channel") + ": " + fight.merge +
-            (fight.contested       ? ". Switch one off, or give one that is a backup a lower priority"
+            " from more than one source of equal priority, " + who + ", and they " +
+            (is_by_turns ? "have up to " + count_text(fight.turns, "channel") + " up by turns: "
+                         : "differ on up to " + count_text(fight.channels, "channel") + ": ") +
+            fight.merge +
+            (is_by_turns ? ". If both play these lamps, all is well; if one is a backup, it is out of step: "
+                           "give it a lower priority"
+             : fight.contested     ? ". Switch one off, or give one that is a backup a lower priority"
              : !fight.down.empty() ? ". " + *fight.down.begin() +
                                          " has all dimmers at 0: if that is a black-out, the others hide it"
              : !fight.dark.empty()

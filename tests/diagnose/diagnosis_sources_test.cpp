@@ -81,6 +81,13 @@ TEST(diagnosis, TwoDesksThatFight) {
     ASSERT_EQ(network.troubles(), Troubles{Trouble::two_desks});
     EXPECT_FALSE(network.sentences()[0].is_problem) << "each has channels of its own";
     expect_words(network.text(Trouble::two_desks), {"may be meant to share"});
+    other.slots_overruled = 0;
+    for (dmx::SourceStatus& one : network.statistics.sources) one.slots_by_turns = 10;
+    ASSERT_EQ(network.troubles(), Troubles{Trouble::two_desks});
+    EXPECT_FALSE(network.sentences()[0].is_problem) << "two operators play the same lamps";
+    expect_words(network.text(Trouble::two_desks),
+                 {"10 channels up by turns", "a backup, it is out of step"});
+    other.slots_overruled = 12;
     other.slots_contested = 1;
     EXPECT_TRUE(network.sentences()[0].is_problem);
     expect_words(network.text(Trouble::two_desks),

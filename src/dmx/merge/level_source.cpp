@@ -262,20 +262,24 @@ bool LevelSource::rivals(const LevelSource& other) const {
            key_.preview == other.key_.preview && priority() == other.priority();
 }
 
-void LevelSource::compare(const LevelSource* rival, std::chrono::nanoseconds now) {
-    if (!rival) {
+void LevelSource::compare_with(const LevelSource* rival, std::chrono::nanoseconds now) {
+    if (!rival)
         rivalry_.reset();
+    else if (!is_rival(*rival))
+        rivalry_ = std::make_unique<Rivalry>(rival->key_, now);
+    else
+        rivalry_->conclude(now);
+}
+
+void LevelSource::follow(const LevelSource& rival, std::chrono::nanoseconds now) {
+    if (!per_address_ && !rival.per_address_) {
+        rivalry_->follow(levels_, rival.levels_, now);
         return;
     }
-    if (!rivalry_ || !(rivalry_->other() == rival->key_)) rivalry_ = std::make_unique<Rivalry>(rival->key_);
-    if (!per_address_ && !rival->per_address_) {
-        rivalry_->add(levels_, rival->levels_, now);
-        return;
-    }
-    Levels mine = levels_, others = rival->levels_;
+    Levels mine = levels_, others = rival.levels_;
     for (std::size_t i = 0; i < kSlots; ++i)
-        if (rank(i) != rival->rank(i)) mine[i] = others[i] = 0;
-    rivalry_->add(mine, others, now);
+        if (rank(i) != rival.rank(i)) mine[i] = others[i] = 0;
+    rivalry_->follow(mine, others, now);
 }
 
 void LevelSource::resume(std::chrono::nanoseconds pause, std::chrono::nanoseconds now) {

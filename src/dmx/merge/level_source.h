@@ -76,12 +76,12 @@ public:
     }
     // Both take part, and neither goes before the other.
     bool rivals(const LevelSource& other) const;
-    // Looks at both as they are now; null: it has no rival. Then it may be asked how many slots they fight
-    // over.
-    void compare(const LevelSource* rival, std::chrono::nanoseconds now);
-    std::size_t fought(const LevelSource& other, std::chrono::nanoseconds now) const {
-        return rivalry_ && rivalry_->other() == other.key_ ? rivalry_->fought(now) : 0;
-    }
+    // The one that was there before it and that it is compared with; null: it has none.
+    void compare_with(const LevelSource* rival, std::chrono::nanoseconds now);
+    // One of both shows something new.
+    void follow(const LevelSource& rival, std::chrono::nanoseconds now);
+    bool is_rival(const LevelSource& other) const { return rivalry_ && rivalry_->other() == other.key_; }
+    const Rivalry* rivalry() const { return rivalry_.get(); }
     // When the slot changed last, as the stamp that keep() was given; 0 where that is not recorded (sACN).
     std::uint32_t changed(std::size_t slot) const { return changed_.empty() ? 0 : changed_[slot]; }
 

@@ -152,6 +152,25 @@ void Merge::terminate(std::uint16_t number, Input& input, const Packet& packet,
     apply_loss_policy(number, input, now); // nobody looks between what is gone and what is lost
 }
 
+namespace {
+
+const LevelSource* rival_of(const LevelSource& source, const std::vector<LevelSource>& all) {
+    if (!source.rivalry()) return nullptr;
+    const auto found = std::find_if(all.begin(), all.end(),
+                                    [&](const LevelSource& other) { return source.is_rival(other); });
+    return found == all.end() ? nullptr : &*found;
+}
+
+// A source shows something new.
+void tell_rivals(std::vector<LevelSource>& all, const LevelSource& source, std::chrono::nanoseconds now) {
+    for (LevelSource& one : all)
+        if (const LevelSource* const rival = rival_of(one, all);
+            rival && (&one == &source || rival == &source))
+            one.follow(*rival, now);
+}
+
+} // namespace
+
 // ArtSync is ignored while two Art-Net sources merge (Art-Net 4).
 bool Merge::must_hold(const Input& input, const LevelSource& source, const Packet& packet,
                       std::chrono::nanoseconds now) const {
@@ -213,7 +232,9 @@ void Merge::feed(const Packet& packet, std::chrono::nanoseconds now) {
     source->keep(packet, hold, ++stamp_, now);
     counters_.held += hold ? 1 : 0;
     if (packet.start_code == 0) input.arrival = std::max(input.arrival, now);
-    if (!hold) mark(packet.universe, input);
+    if (hold) return;
+    mark(packet.universe, input);
+    tell_rivals(input.sources, *source, now);
 }
 
 void Merge::feed(const SyncPacket& packet, std::chrono::nanoseconds now) {
@@ -223,8 +244,10 @@ void Merge::feed(const SyncPacket& packet, std::chrono::nanoseconds now) {
         Input& input = place->second;
         for (LevelSource& source : input.sources)
             if (sync_key(source.key()) == sync_key(packet.source) &&
-                source.sync_universe() == packet.universe && source.release())
+                source.sync_universe() == packet.universe && source.release()) {
                 mark(number, input);
+                tell_rivals(input.sources, source, now);
+            }
     }
 }
 
@@ -301,7 +324,7 @@ void Merge::tick(std::chrono::nanoseconds now) {
             const auto rival = std::find_if(input.sources.begin(), source, [&](const LevelSource& before) {
                 return source->rivals(before);
             });
-            source->compare(rival == source ? nullptr : &*rival, now);
+            source->compare_with(rival == source ? nullptr : &*rival, now);
         }
         if (changed) mark(number, input);
         apply_loss_policy(number, input, now);
@@ -409,10 +432,13 @@ std::vector<SourceStatus> Merge::sources(std::chrono::nanoseconds now) const {
         }
         for (std::size_t i = 1; i < held.size(); ++i)
             for (std::size_t k = 0; k < i; ++k) {
-                const std::size_t fought = input.sources[i].fought(input.sources[k], now);
+                if (!input.sources[i].is_rival(input.sources[k])) continue;
+                const Rivalry& rivalry = *input.sources[i].rivalry();
+                const std::size_t covered = rivalry.met(Rivalry::covers, now);
                 for (SourceStatus* one : {&result[first + k], &result[first + i]}) {
-                    one->slots_overruled = std::max(one->slots_overruled, fought);
-                    one->slots_contested = std::max(one->slots_contested, fought);
+                    one->slots_overruled = std::max(one->slots_overruled, covered);
+                    one->slots_contested = std::max(one->slots_contested, covered);
+                    one->slots_by_turns = std::max(one->slots_by_turns, rivalry.met(Rivalry::by_turns, now));
                 }
             }
     }

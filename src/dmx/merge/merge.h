@@ -86,7 +86,7 @@ public:
     void feed(const SyncPacket& packet, std::chrono::nanoseconds now);
     // Levels of a start code that we do not use: only their number counts.
     void pass(const Passing& packet);
-    // Lets silent sources go and newcomers in. Call about every Rivalry::kLookEvery.
+    // Lets silent sources go and newcomers in. Call a few times a second.
     void tick(std::chrono::nanoseconds now);
     // We did not listen for this long up to now (the program was stopped): that was no silence of the
     // sources, and the next number of each counts whatever it is.

@@ -1,12 +1,14 @@
 #pragma once
 // SPDX-License-Identifier: Apache-2.0
-// Rivalry: whether two sources that have the same say fight over channels that never stand still: one was
-// forgotten and holds what the other one chases, or both run one chase out of step. A channel is fought over
-// where both had it up and they were far apart again and again, each time for longer than a backup follows
-// its desk. Whoever hands a channel over is apart from the next one once or twice. No clock.
+// Rivalry: what two sources that have the same say do to each other on channels that never stand still. They
+// meet on a channel where they were far apart again and again, each time for longer than a backup follows its
+// desk, and both had it up. One covers the other where it never takes the channel down (a forgotten desk
+// under a chase); else they have it by turns (two operators of one lamp, or one chase out of step). Whoever
+// hands a channel over is apart from the next one once or twice. No clock.
 
 #include "dmx/wire/packet.h"
 
+#include <array>
 #include <chrono>
 #include <optional>
 
@@ -14,31 +16,38 @@ namespace ghost::dmx {
 
 class Rivalry {
 public:
-    explicit Rivalry(const SourceKey& other) : other_(other) {}
+    enum Kind { covers, by_turns };
+
+    Rivalry(const SourceKey& other, std::chrono::nanoseconds now)
+        : other_(other), followed_(now), half_(now) {}
 
     const SourceKey& other() const { return other_; }
-    // What both show now; looks that come sooner than kLookEvery are passed over.
-    void add(const Levels& mine, const Levels& others, std::chrono::nanoseconds now);
-    // Channels that they fought over of late.
-    std::size_t fought(std::chrono::nanoseconds now) const {
-        return told_ && now - *told_ <= kForgotten ? count_ : 0;
+    // What both show when a packet of one of them came.
+    void follow(const Levels& mine, const Levels& others, std::chrono::nanoseconds now);
+    // Channels on which they met lately. Call it now and then: it also forgets.
+    void conclude(std::chrono::nanoseconds now);
+    std::size_t met(Kind kind, std::chrono::nanoseconds now) const {
+        const Met& met = met_[kind];
+        return met.at && now - *met.at <= kForgotten ? met.count : 0;
     }
 
-    static constexpr std::chrono::milliseconds kLookEvery{100};
-
 private:
-    struct Half {                // of the time that is looked at
-        Levels times{};          // that they came apart
-        Levels mine{}, others{}; // not 0 where it was up
+    struct Half {       // of the time that is looked at
+        Levels times{}; // that they came apart
+        Levels seen{};  // up or down of each of both, as bits
+    };
+    struct Met {
+        std::size_t count = 0;
+        std::optional<std::chrono::nanoseconds> at;
     };
     static constexpr std::chrono::seconds kHalf{5}, kForgotten{10};
 
     SourceKey other_;
-    Levels apart_for_{}; // looks in a row
+    // Of each channel: who is far above the other (0: nobody), and for how long.
+    Levels above_{}, apart_for_{};
     Half now_, before_;
-    std::chrono::nanoseconds start_{0};
-    std::optional<std::chrono::nanoseconds> looked_, told_;
-    std::size_t count_ = 0;
+    std::chrono::nanoseconds followed_, half_; // when it was done last, when now_ began
+    std::array<Met, 2> met_;
 };
 
 } // namespace ghost::dmx

@@ -87,10 +87,11 @@ struct SourceStatus {
     std::optional<IpAddress> double_from;
     bool is_dark = false;       // nothing that it sends is above 0
     std::size_t slots_held = 0; // of slot_count: where nobody on its universe ranks higher
-    // Of slots_held: where another of its rank has another level that shows, of those that stand still or are
-    // fought over (Rivalry).
+    // Of slots_held: where another of its rank has another level that shows, of those that stand still, and
+    // those where one of both covers the other (Rivalry).
     std::size_t slots_overruled = 0;
     std::size_t slots_contested = 0; // of these: where its own level is above 0, or was
+    std::size_t slots_by_turns = 0;  // that it and another of its rank have up by turns (Rivalry)
     std::chrono::nanoseconds age{0}; // since its last level packet, without time in which we did not listen
     std::shared_ptr<const SourceSlots> slots; // where MergeOptions::slot_status asks for it, else null
 };

@@ -295,6 +295,14 @@ constexpr const char* kSentences[] = {
     QT_TRANSLATE_NOOP("Sentence", "%1 patched channel"),
     QT_TRANSLATE_NOOP("Sentence", "%1 levels"),
     QT_TRANSLATE_NOOP("Sentence", "%1 level"),
+    QT_TRANSLATE_NOOP(
+        "Sentence", "%1 comes from more than one source of equal priority, %2, and they have up to %3 up by "
+                    "turns: %4. If both play these lamps, all is well; if one is a backup, it is out of "
+                    "step: give it a lower priority"),
+    QT_TRANSLATE_NOOP("Sentence",
+                      "%1 come from more than one source of equal priority, %2, and they have up to %3 up by "
+                      "turns: %4. If both play these lamps, all is well; if one is a backup, it is out of "
+                      "step: give it a lower priority"),
     QT_TRANSLATE_NOOP("Sentence",
                       "%1 comes from more than one source of equal priority, %2, and they differ on up to "
                       "%3: %4. Switch one off, or give one that is a backup a lower priority"),

@@ -31,9 +31,17 @@ Packet packet_of(Desk& desk, const Levels4& levels) {
     return desk.packet({levels[0], levels[1], levels[2], levels[3]});
 }
 
-// Channels that two desks fight over at the end of this time.
-std::size_t fought(const Look& first, const Look& second, std::uint8_t priority = 100,
-                   nanoseconds time = 20s) {
+struct Met {
+    std::size_t covered = 0, by_turns = 0;
+    bool operator==(const Met&) const = default;
+};
+
+void PrintTo(const Met& met, std::ostream* out) {
+    *out << met.covered << " covered, " << met.by_turns << " by turns";
+}
+
+// Channels on which two desks meet at the end of this time.
+Met met(const Look& first, const Look& second, std::uint8_t priority = 100, nanoseconds time = 20s) {
     Merge merge;
     Desk a{1}, b{2, priority};
     for (nanoseconds now{0}; now < time; now += 25ms) {
@@ -45,24 +53,49 @@ std::size_t fought(const Look& first, const Look& second, std::uint8_t priority 
     const std::vector<SourceStatus> sources = merge.sources(time);
     EXPECT_EQ(sources[0].slots_contested, sources[1].slots_contested);
     EXPECT_GE(sources[0].slots_overruled, sources[0].slots_contested);
-    return sources[0].slots_contested;
+    EXPECT_EQ(sources[0].slots_by_turns, sources[1].slots_by_turns);
+    return {sources[0].slots_contested, sources[0].slots_by_turns};
 }
 
 TEST(Rivalry, a_forgotten_desk_at_full_under_a_chase) {
     const Look full = [](nanoseconds) { return Levels4{255, 255, 255, 255}; };
-    EXPECT_EQ(fought(chase, full), 4u);
-    EXPECT_EQ(fought(full, chase), 4u);
-    EXPECT_EQ(fought(chase, full, 90), 0u) << "it has the lower priority";
+    EXPECT_EQ(met(chase, full), Met({.covered = 4}));
+    EXPECT_EQ(met(full, chase), Met({.covered = 4}));
+    EXPECT_EQ(met(chase, full, 90), Met{}) << "it has the lower priority";
 }
 
 TEST(Rivalry, one_chase_out_of_step) {
-    EXPECT_EQ(fought(chase, [](nanoseconds now) { return chase(now + 500ms); }), 4u);
+    EXPECT_EQ(met(chase, [](nanoseconds now) { return chase(now + 500ms); }), Met({.by_turns = 4}));
 }
 
 TEST(Rivalry, a_backup_that_follows) {
     for (const nanoseconds late : {25ms, 50ms, 75ms})
-        EXPECT_EQ(fought(chase, [&](nanoseconds now) { return chase(now + kSteps * kStep - late); }), 0u)
+        EXPECT_EQ(met(chase, [&](nanoseconds now) { return chase(now + kSteps * kStep - late); }), Met{})
             << late.count();
+}
+
+TEST(Rivalry, a_backup_that_follows_what_flashes) {
+    for (const nanoseconds period : {80ms, 100ms, 200ms, 240ms, 300ms})
+        for (const nanoseconds late : {20ms, 40ms, 70ms}) {
+            const auto flash = [&](nanoseconds now) {
+                const int level = now % period < period / 2 ? 255 : 0;
+                return Levels4{level, 255 - level, level, 255};
+            };
+            EXPECT_EQ(met(flash, [&](nanoseconds now) { return flash(now + 12 * period - late); }), Met{})
+                << period.count() << ", " << late.count();
+        }
+}
+
+TEST(Rivalry, a_forgotten_desk_that_is_not_full) {
+    const Look low = [](nanoseconds) { return Levels4{100, 100, 100, 100}; };
+    EXPECT_EQ(met(chase, low), Met({.covered = 4}));
+}
+
+TEST(Rivalry, a_lamp_that_two_operators_bump) {
+    const auto bump = [](nanoseconds every) {
+        return [every](nanoseconds now) { return Levels4{now % every < 300ms ? 255 : 0, 0, 0, 0}; };
+    };
+    EXPECT_EQ(met(bump(1500ms), bump(2000ms)), Met({.by_turns = 1}));
 }
 
 TEST(Rivalry, halves_of_a_universe) {
@@ -72,21 +105,21 @@ TEST(Rivalry, halves_of_a_universe) {
     const Look second = [](nanoseconds now) {
         return now / kStep % 2 ? Levels4{0, 0, 255, 0} : Levels4{0, 0, 0, 255};
     };
-    EXPECT_EQ(fought(first, second), 0u);
+    EXPECT_EQ(met(first, second), Met{});
 }
 
 TEST(Rivalry, a_channel_that_is_handed_over) {
     const Look first = [](nanoseconds now) { return now < 12s ? Levels4{255} : Levels4{0}; };
     const Look second = [](nanoseconds now) { return now < 14s ? Levels4{0} : Levels4{255}; };
-    EXPECT_EQ(fought(first, second, 100, 15s), 0u);
+    EXPECT_EQ(met(first, second, 100, 15s), Met{});
 }
 
 TEST(Rivalry, what_was_mended_is_forgotten) {
     const Look full = [](nanoseconds now) {
         return now < 10s ? Levels4{255, 255, 255, 255} : Levels4{0, 0, 0, 0};
     };
-    EXPECT_EQ(fought(chase, full, 100, 15s), 4u);
-    EXPECT_EQ(fought(chase, full, 100, 40s), 0u);
+    EXPECT_EQ(met(chase, full, 100, 15s).covered, 4u);
+    EXPECT_EQ(met(chase, full, 100, 40s), Met{});
 }
 
 TEST(Merge, a_universe_is_lost_as_soon_as_its_desk_says_goodbye) {

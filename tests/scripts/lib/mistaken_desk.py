@@ -79,7 +79,7 @@ for one in spec:
 
 
 def look(one):
-    """What it shows now: channel 40 flashes for so many packets, or channels move, or are up by turns for a quarter of a second each."""
+    """What it shows now: channel 40 flashes for so many packets, or channels move, or are up by turns for a quarter of a second (chase_step packets) each."""
     slots = bytearray(one["data"])
     if "flashes" in one:
         slots[39] = count // one["flashes"] % 2 * 255
@@ -87,7 +87,7 @@ def look(one):
         slots[address - 1] = 1 + count % 200
     chased = one.get("chases", [])
     for place, address in enumerate(chased):
-        slots[address - 1] = 255 if (count + one.get("chase_begins", 0)) // 10 % len(chased) == place else 0
+        slots[address - 1] = 255 if (count + one.get("chase_begins", 0)) // one.get("chase_step", 10) % len(chased) == place else 0
     return bytes(slots)
 
 
