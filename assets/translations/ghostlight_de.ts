@@ -5422,14 +5422,6 @@ Bitte den Namen des Ordners prüfen.</translation>
         <translation>ihr Universum %1 kommt mit weniger Kanälen</translation>
     </message>
     <message>
-        <source>%1 comes from more than one source of equal priority, %2, and they differ on up to %3: %4. None of these is above 0 at two of them, so they may be meant to share</source>
-        <translation>%1 kommt von mehr als einer Quelle gleicher Priorität, %2, und sie unterscheiden sich auf bis zu %3: %4. Keiner davon ist bei zweien über 0, sie teilen ihn sich vielleicht mit Absicht</translation>
-    </message>
-    <message>
-        <source>%1 come from more than one source of equal priority, %2, and they differ on up to %3: %4. None of these is above 0 at two of them, so they may be meant to share</source>
-        <translation>%1 kommen von mehr als einer Quelle gleicher Priorität, %2, und sie unterscheiden sich auf bis zu %3: %4. Keiner davon ist bei zweien über 0, sie teilen sie sich vielleicht mit Absicht</translation>
-    </message>
-    <message>
         <source>two senders have one identity (CID) on %1: %2 and one at %3 that sends other packets. The first is shown, the second is dropped. One is a copy of the other (a cloned disk, a copied set-up): give it a CID of its own</source>
         <translation>zwei Sender haben auf %1 eine Identität (CID): %2 und einer auf %3, der andere Pakete sendet. Der erste wird gezeigt, der zweite verworfen. Einer ist eine Kopie des anderen (eine geklonte Platte, eine kopierte Einrichtung): ihm eine eigene CID geben</translation>
     </message>
@@ -5826,12 +5818,32 @@ Bitte den Namen des Ordners prüfen.</translation>
         <translation>%1, Priorität %2)</translation>
     </message>
     <message>
-        <source>%1 comes from more than one source of equal priority, %2, and they have up to %3 up by turns: %4. If both play these lamps, all is well; if one is a backup, it is out of step: give it a lower priority</source>
-        <translation>%1 kommt von mehr als einer Quelle gleicher Priorität, %2, und sie haben bis zu %3 abwechselnd oben: %4. Spielen beide diese Lampen, ist alles gut; ist eine ein Backup, so läuft es nicht im Takt: ihm eine niedrigere Priorität geben</translation>
+        <source>%1 is shown only in part on %2: %3 has a higher priority, and sends 0 alone</source>
+        <translation>%1 wird auf %2 nur zum Teil gezeigt: %3 hat eine höhere Priorität und sendet nur 0</translation>
     </message>
     <message>
-        <source>%1 come from more than one source of equal priority, %2, and they have up to %3 up by turns: %4. If both play these lamps, all is well; if one is a backup, it is out of step: give it a lower priority</source>
-        <translation>%1 kommen von mehr als einer Quelle gleicher Priorität, %2, und sie haben bis zu %3 abwechselnd oben: %4. Spielen beide diese Lampen, ist alles gut; ist eine ein Backup, so läuft es nicht im Takt: ihm eine niedrigere Priorität geben</translation>
+        <source>%1 is shown only in part on %2: %3 has a higher priority, and has all dimmers at 0</source>
+        <translation>%1 wird auf %2 nur zum Teil gezeigt: %3 hat eine höhere Priorität und alle Dimmer auf 0</translation>
+    </message>
+    <message>
+        <source>%1 come from more than one source of equal priority, %2, and they have up to %3 up at different times: %4. If both play these lamps, all is well; if one is a backup, it is out of step: give it a lower priority</source>
+        <translation>%1 kommen von mehr als einer Quelle gleicher Priorität, %2, und sie haben bis zu %3 zu verschiedenen Zeiten oben: %4. Spielen beide diese Lampen, ist alles gut; ist eine ein Backup, so läuft es nicht im Takt: ihm eine niedrigere Priorität geben</translation>
+    </message>
+    <message>
+        <source>%1 comes from more than one source of equal priority, %2, and they differ on up to %3: %4. None of these is now above 0 at two of them, so they may be meant to share</source>
+        <translation>%1 kommt von mehr als einer Quelle gleicher Priorität, %2, und sie unterscheiden sich auf bis zu %3: %4. Keiner davon ist jetzt bei zweien über 0, sie teilen ihn sich vielleicht mit Absicht</translation>
+    </message>
+    <message>
+        <source>%1 come from more than one source of equal priority, %2, and they differ on up to %3: %4. None of these is now above 0 at two of them, so they may be meant to share</source>
+        <translation>%1 kommen von mehr als einer Quelle gleicher Priorität, %2, und sie unterscheiden sich auf bis zu %3: %4. Keiner davon ist jetzt bei zweien über 0, sie teilen sie sich vielleicht mit Absicht</translation>
+    </message>
+    <message>
+        <source>packets for %1 arrive (%2), nothing is patched there; the show wants %3; %4 is %5 with its two bytes exchanged: if that is meant, the sender writes them in the wrong order</source>
+        <translation>Pakete für %1 kommen an (%2), dort ist nichts gepatcht; die Show will %3; %4 ist %5 mit vertauschten Bytes: ist das gemeint, schreibt der Sender sie in der falschen Reihenfolge</translation>
+    </message>
+    <message>
+        <source>%1 comes from more than one source of equal priority, %2, and they have up to %3 up at different times: %4. If both play these lamps, all is well; if one is a backup, it is out of step: give it a lower priority</source>
+        <translation>%1 kommt von mehr als einer Quelle gleicher Priorität, %2, und sie haben bis zu %3 zu verschiedenen Zeiten oben: %4. Spielen beide diese Lampen, ist alles gut; ist eine ein Backup, so läuft es nicht im Takt: ihm eine niedrigere Priorität geben</translation>
     </message>
 </context>
 <context>

@@ -80,13 +80,20 @@ std::string swapped_text(const std::set<int>& arriving, const std::set<int>& mis
     return "";
 }
 
-// Where the number of one that arrives is that of one that is missing with its two bytes exchanged.
-std::string mirrored_text(const std::set<int>& arriving, const std::set<int>& missing) {
-    for (const int to : missing)
-        if (const int from = bytes_exchanged(to); from != to && arriving.contains(from))
-            return "; " + std::to_string(from) + " is " + std::to_string(to) +
-                   " with its two bytes exchanged: the sender writes universe numbers in the wrong order of "
-                   "bytes";
+// Where the number of one that arrives is that of one that is missing with its two bytes exchanged. Certain
+// where its sender announces the right number.
+std::string exchanged_text(const Arriving& arriving, const std::set<int>& sacn,
+                           const std::set<int>& missing) {
+    for (const int to : missing) {
+        const int from = bytes_exchanged(to);
+        if (from == to || !sacn.contains(from)) continue;
+        const auto listed = arriving.listed.find(to);
+        const bool certain =
+            listed != arriving.listed.end() && listed->second.who == arriving.universes.at(from);
+        return "; " + std::to_string(from) + " is " + std::to_string(to) + " with its two bytes exchanged: " +
+               (certain ? "the sender writes universe numbers in the wrong order of bytes"
+                        : "if that is meant, the sender writes them in the wrong order");
+    }
     return "";
 }
 
@@ -201,25 +208,24 @@ void add_patch(const dmx::Statistics& statistics, const Arriving& arriving, cons
     if (const auto artnet = arriving.by_protocol.find(dmx::Protocol::artnet);
         artnet != arriving.by_protocol.end())
         text += swapped_text(artnet->second, missing, statistics.listening.artnet_offset);
-    std::string mirrored;
+    std::string exchanged;
     if (const auto sacn = arriving.by_protocol.find(dmx::Protocol::sacn); sacn != arriving.by_protocol.end())
-        mirrored = mirrored_text(sacn->second, missing);
-    text += mirrored;
-    if (!wanted.empty() && mirrored.empty()) text += kOrAnother;
+        exchanged = exchanged_text(arriving, sacn->second, missing);
+    text += exchanged;
+    if (!wanted.empty() && !exchanged.ends_with("of bytes")) text += kOrAnother;
     out.push_back(wanted.empty() ? note(Trouble::not_patched, text)
                                  : problem(Trouble::not_patched, text, wanted));
 }
 
 namespace {
 
-// ". net0: cable pulled 4 s ago", of what happened to our cards while a universe fell silent; else "".
-std::string links_text(const dmx::Statistics& statistics, std::chrono::nanoseconds since) {
-    const std::chrono::nanoseconds lost = statistics.time - since;
+// ". net0: cable pulled 4 s ago, ..", of what happened to our cards after the last levels came; else "".
+std::string links_text(const dmx::Statistics& statistics, std::chrono::nanoseconds silent) {
     std::string text;
     for (const dmx::LinkChange& change : statistics.link_changes)
-        if (change.time <= lost && lost - change.time <= dmx::kArtnetLoss + kSilent && change.is_loss)
-            text = ". " + one_line(change.text) + " " + seconds_text(statistics.time - change.time) +
-                   " ago, which may be why";
+        if (const std::chrono::nanoseconds age = statistics.time - change.time;
+            change.is_loss && age <= silent && silent - age <= dmx::kArtnetLoss)
+            text = ". " + one_line(change.text) + " " + seconds_text(age) + " ago, which may be why";
     return text;
 }
 
@@ -230,7 +236,7 @@ void add_lost(const dmx::Statistics& statistics, const PatchMap& patch, Sentence
     constexpr std::pair<bool, bool> kKinds[] = {{false, false}, {true, false}, {false, true}, {true, true}};
     for (const auto& [black, ended] : kKinds) {
         std::set<int> universes;
-        std::chrono::nanoseconds longest{0};
+        std::chrono::nanoseconds longest{0}, silent{0};
         for (const dmx::LostUniverse& one : statistics.lost) {
             if (one.black != black || one.ended != ended ||
                 (!patch.universes().empty() && !patch.has(one.universe)))
@@ -238,9 +244,10 @@ void add_lost(const dmx::Statistics& statistics, const PatchMap& patch, Sentence
             if (is_blind(statistics, one.universe)) continue; // add_ignored says so
             universes.insert(one.universe);
             longest = std::max(longest, one.since);
+            silent = std::max(silent, one.silent);
         }
         if (universes.empty()) continue;
-        const std::string links = links_text(statistics, longest);
+        const std::string links = links_text(statistics, silent);
         const bool bare = std::any_of(universes.begin(), universes.end(),
                                       [&](int universe) { return is_without_levels(statistics, universe); });
         out.push_back(problem(

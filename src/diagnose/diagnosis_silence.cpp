@@ -110,9 +110,13 @@ void add_held_back(const dmx::Statistics& statistics, const Arriving& arriving, 
                    Sentences& out) {
     if (sum(statistics.recent.refused_sacn) >= kManyRefused) return; // it comes, and cannot be read
     std::map<std::string, std::set<int>> held;
+    const auto is_exchanged = [&](int universe, const std::string& who) { // add_patch says so
+        const auto found = arriving.universes.find(bytes_exchanged(universe));
+        return found != arriving.universes.end() && found->second == who;
+    };
     for (const auto& [universe, one] : arriving.listed)
         if (one.protocol == dmx::Protocol::sacn && patch.has(universe) && !arriving.has(universe) &&
-            !is_without_levels(statistics, universe) && !arriving.has(bytes_exchanged(universe)))
+            !is_without_levels(statistics, universe) && !is_exchanged(universe, one.who))
             held[one.who].insert(universe);
     for (const auto& [who, universes] : held)
         out.push_back(problem(

@@ -96,10 +96,14 @@ void add_too_many(const dmx::Statistics& statistics, Sentences& out) {
 }
 
 // The source that ranks highest on a universe; null: none holds a slot.
-const dmx::SourceStatus* winner_of(const std::vector<dmx::SourceStatus>& sources, int universe) {
+// Of those that rank higher somewhere, the one that holds most.
+const dmx::SourceStatus* winner_of(const std::vector<dmx::SourceStatus>& sources,
+                                   const dmx::SourceStatus& loser) {
     const dmx::SourceStatus* best = nullptr;
     for (const dmx::SourceStatus& one : sources)
-        if (one.universe == universe && one.slots_held > 0 && (!best || one.slots_held > best->slots_held))
+        if (one.universe == loser.universe && &one != &loser && one.slots_held > 0 &&
+            (loser.slots_held == 0 || one.highest_priority > loser.highest_priority) &&
+            (!best || one.slots_held > best->slots_held))
             best = &one;
     return best;
 }
@@ -132,18 +136,20 @@ std::string hides_text(const dmx::SourceStatus& winner, const dmx::SourceStatus&
 void add_low_priority(const dmx::Statistics& statistics, const PatchMap& patch, Sentences& out) {
     std::map<std::tuple<std::string, std::string, std::string>, std::set<int>> low; // who, who wins and hides
     for (const dmx::SourceStatus& source : statistics.sources) {
-        if (role_text(source, statistics.sources) != "lower priority") continue;
-        const dmx::SourceStatus* const winner = winner_of(statistics.sources, source.universe);
-        low[{ranked_text(source), winner ? ranked_text(*winner) : "",
-             winner ? hides_text(*winner, source, patch) : ""}]
+        const std::string role = role_text(source, statistics.sources);
+        const dmx::SourceStatus* const winner = winner_of(statistics.sources, source);
+        const std::string hides = winner ? hides_text(*winner, source, patch) : "";
+        const bool in_part = role == "in part" && !hides.empty();
+        if (role != "lower priority" && !in_part) continue;
+        low[{ranked_text(source) + (in_part ? " is shown only in part on " : " is not shown on "),
+             winner ? ranked_text(*winner) : "", hides}]
             .insert(source.universe);
     }
     for (const auto& [who, universes] : low) {
         const auto& [loser, winner, hides] = who;
-        out.push_back(note(Trouble::low_priority,
-                           loser + " is not shown on " + universes_text(universes) + ": " + winner +
-                               " has a higher priority" + hides,
-                           universes));
+        out.push_back(note(
+            Trouble::low_priority,
+            loser + universes_text(universes) + ": " + winner + " has a higher priority" + hides, universes));
     }
 }
 
@@ -232,7 +238,7 @@ void add_two_desks(const dmx::Statistics& statistics, const PatchMap& patch, Sen
             by_universe[source.universe].push_back(&source);
     struct Fight {
         std::set<int> universes;
-        std::size_t channels = 0, turns = 0;
+        std::size_t channels = 0, shared = 0;
         bool contested = false; // channels that more than one sends above 0
         std::string merge;
         std::set<std::string> dark; // who sends nothing above 0
@@ -241,17 +247,17 @@ void add_two_desks(const dmx::Statistics& statistics, const PatchMap& patch, Sen
     };
     std::map<std::string, Fight> fights; // by who
     for (const auto& [universe, sources] : by_universe) {
-        std::size_t differ = 0, turns = 0, meet = 0;
+        std::size_t differ = 0, shared = 0, meet = 0;
         bool all_artnet = true, contested = false;
         std::set<std::string> who, dark, down;
         std::size_t all_down = 0;
         std::set<int> ranks; // of those that do not have their way: whom they meet has the same
         for (const dmx::SourceStatus* source : sources)
-            if (source->slots_overruled + source->slots_by_turns > 0) ranks.insert(source->highest_priority);
+            if (source->slots_overruled + source->slots_shared > 0) ranks.insert(source->highest_priority);
         for (const dmx::SourceStatus* source : sources) {
             if (!source->per_address_priority && !ranks.contains(source->highest_priority)) continue;
             differ = std::max(differ, source->slots_overruled);
-            turns = std::max(turns, source->slots_by_turns);
+            shared = std::max(shared, source->slots_shared);
             contested |= source->slots_contested > 0;
             all_artnet &= source->protocol == dmx::Protocol::artnet;
             who.insert(sends_text(*source, sources));
@@ -262,11 +268,11 @@ void add_two_desks(const dmx::Statistics& statistics, const PatchMap& patch, Sen
             all_down += source->is_dark || dimmers_are_down(*source, patch) ? 1 : 0;
             ++meet;
         }
-        if (differ + turns == 0 || meet < 2) continue;
+        if (differ + shared == 0 || meet < 2) continue;
         Fight& fight = fights[joined(who)];
         fight.universes.insert(universe);
         fight.channels = std::max(fight.channels, differ);
-        fight.turns = std::max(fight.turns, turns);
+        fight.shared = std::max(fight.shared, shared);
         fight.contested |= contested;
         fight.dark.insert(dark.begin(), dark.end());
         if (all_down < meet) fight.down.insert(down.begin(), down.end());
@@ -276,21 +282,21 @@ void add_two_desks(const dmx::Statistics& statistics, const PatchMap& patch, Sen
                           : "of each channel the higher level shows (HTP)";
     }
     for (const auto& [who, fight] : fights) {
-        const bool is_by_turns = fight.turns > 0 && !fight.contested;
+        const bool is_shared = fight.shared > 0 && !fight.contested;
         const std::string text =
             universes_text(fight.universes) + (fight.universes.size() == 1 ? " comes" : " come") +
             " from more than one source of equal priority, " + who + ", and they " +
-            (is_by_turns ? "have up to " + count_text(fight.turns, "channel") + " up by turns: "
-                         : "differ on up to " + count_text(fight.channels, "channel") + ": ") +
+            (is_shared ? "have up to " + count_text(fight.shared, "channel") + " up at different times: "
+                       : "differ on up to " + count_text(fight.channels, "channel") + ": ") +
             fight.merge +
-            (is_by_turns ? ". If both play these lamps, all is well; if one is a backup, it is out of step: "
-                           "give it a lower priority"
+            (is_shared ? ". If both play these lamps, all is well; if one is a backup, it is out of step: "
+                         "give it a lower priority"
              : fight.contested     ? ". Switch one off, or give one that is a backup a lower priority"
              : !fight.down.empty() ? ". " + *fight.down.begin() +
                                          " has all dimmers at 0: if that is a black-out, the others hide it"
              : !fight.dark.empty()
                  ? ". " + *fight.dark.begin() + " sends 0 alone: if that is a black-out, the others hide it"
-                 : ". None of these is above 0 at two of them, so they may be meant to share") +
+                 : ". None of these is now above 0 at two of them, so they may be meant to share") +
             fight.hint;
         out.push_back(fight.contested ? problem(Trouble::two_desks, text, fight.universes)
                                       : note(Trouble::two_desks, text, fight.universes));

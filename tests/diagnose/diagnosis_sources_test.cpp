@@ -33,6 +33,14 @@ TEST(diagnosis, ALowerPriority) {
     EXPECT_EQ(role_text(all[1], all), "lower priority");
     network.statistics.sources[0].is_dark = true;
     expect_words(network.text(Trouble::low_priority), {"has a higher priority, and sends 0 alone"});
+    network.statistics.sources[0].slots_held = 110; // it sends no more
+    network.statistics.sources[0].highest_priority = 100;
+    network.statistics.sources[1].slots_held = 402;
+    network.statistics.sources[1].highest_priority = 90;
+    expect_words(
+        network.text(Trouble::low_priority),
+        {"'Backup' (192.168.1.7) (priority 90) is shown only in part on universe 1", "and sends 0 alone"});
+    network.statistics.sources[1].slots_held = 0;
     network.statistics.sources[1].is_dark = true;
     EXPECT_EQ(network.text(Trouble::low_priority).find("sends 0"), std::string::npos) << "it hides nothing";
 }
@@ -82,11 +90,11 @@ TEST(diagnosis, TwoDesksThatFight) {
     EXPECT_FALSE(network.sentences()[0].is_problem) << "each has channels of its own";
     expect_words(network.text(Trouble::two_desks), {"may be meant to share"});
     other.slots_overruled = 0;
-    for (dmx::SourceStatus& one : network.statistics.sources) one.slots_by_turns = 10;
+    for (dmx::SourceStatus& one : network.statistics.sources) one.slots_shared = 10;
     ASSERT_EQ(network.troubles(), Troubles{Trouble::two_desks});
     EXPECT_FALSE(network.sentences()[0].is_problem) << "two operators play the same lamps";
     expect_words(network.text(Trouble::two_desks),
-                 {"10 channels up by turns", "a backup, it is out of step"});
+                 {"10 channels up at different times", "a backup, it is out of step"});
     other.slots_overruled = 12;
     other.slots_contested = 1;
     EXPECT_TRUE(network.sentences()[0].is_problem);

@@ -224,12 +224,14 @@ TEST(diagnosis, ALostUniverse) {
     network.statistics.lost = {{3, false, 12s, true}};
     expect_words(network.text(Trouble::lost), {"universe 3 any more", "said that it ends this stream"});
     EXPECT_EQ(network.text(Trouble::lost).find("firewall"), std::string::npos);
-    network.statistics.lost = {{3, false, 12s}};
+    network.statistics.lost = {{3, false, 12s, false, 16s}};
     auto& changes = network.statistics.link_changes;
     changes = {{1, "eth0: cable plugged in", network.statistics.time - 14s},
                {2, "eth0: cable pulled", network.statistics.time - 40s, true}};
     expect_words(network.text(Trouble::lost), {"a firewall"});
-    changes.push_back({3, "eth0: cable pulled", network.statistics.time - 15s, true});
+    changes.push_back({3, "eth0: cable pulled", network.statistics.time - 17s, true});
+    expect_words(network.text(Trouble::lost), {"a firewall"}); // levels came after it
+    changes.push_back({4, "eth0: cable pulled", network.statistics.time - 15s, true});
     expect_words(network.text(Trouble::lost), {"last look is held. eth0: cable pulled 15 s ago"});
     network.statistics.lost = {{3, true, 70s}};
     expect_words(network.text(Trouble::lost), {"black", "70 s"});
@@ -333,6 +335,9 @@ TEST(diagnosis, TheBytesOfAUniverseInAnotherOrder) {
     expect_words(network.text(Trouble::not_patched),
                  {"the show wants universe 1", "256 is 1 with its two bytes exchanged"});
     expect_words(network.text(Trouble::wrong_group), {"are used as those of universe 256"});
+    network.statistics.discovered[0].from = dmx::IpAddress(0xC0A80108);
+    expect_words(network.text(Trouble::not_patched),
+                 {"256 is 1 with its two bytes exchanged: if that is meant", "another system's"});
     network.statistics.sources[0].universe = 257;
     EXPECT_EQ(network.text(Trouble::not_patched).find("bytes exchanged"), std::string::npos);
 }

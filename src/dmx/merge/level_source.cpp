@@ -268,7 +268,7 @@ void LevelSource::compare_with(const LevelSource* rival, std::chrono::nanosecond
     else if (!is_rival(*rival))
         rivalry_ = std::make_unique<Rivalry>(rival->key_, now);
     else
-        rivalry_->conclude(now);
+        rivalry_->conclude(levels_, rival->levels_, now);
 }
 
 void LevelSource::follow(const LevelSource& rival, std::chrono::nanoseconds now) {

@@ -438,7 +438,7 @@ std::vector<SourceStatus> Merge::sources(std::chrono::nanoseconds now) const {
                 for (SourceStatus* one : {&result[first + k], &result[first + i]}) {
                     one->slots_overruled = std::max(one->slots_overruled, covered);
                     one->slots_contested = std::max(one->slots_contested, covered);
-                    one->slots_by_turns = std::max(one->slots_by_turns, rivalry.met(Rivalry::by_turns, now));
+                    one->slots_shared = std::max(one->slots_shared, rivalry.met(Rivalry::shares, now));
                 }
             }
     }
@@ -458,7 +458,8 @@ std::vector<LostUniverse> Merge::lost(std::chrono::nanoseconds now) const {
     std::vector<LostUniverse> result;
     for (const auto& [number, input] : inputs_)
         if (input.lost_since)
-            result.push_back({number, input.black_due, now - *input.lost_since, input.ended});
+            result.push_back(
+                {number, input.black_due, now - *input.lost_since, input.ended, now - input.arrival});
     return result;
 }
 

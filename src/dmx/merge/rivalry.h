@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Rivalry: what two sources that have the same say do to each other on channels that never stand still. They
 // meet on a channel where they were far apart again and again, each time for longer than a backup follows its
-// desk, and both had it up. One covers the other where it never takes the channel down (a forgotten desk
-// under a chase); else they have it by turns (two operators of one lamp, or one chase out of step). Whoever
-// hands a channel over is apart from the next one once or twice. No clock.
+// desk. One covers the other where it never takes the channel down and is never below it: a forgotten desk
+// over a chase. Else, where both had it up, they share it: two operators of one lamp, or one chase out of
+// step. Whoever hands a channel over is apart from the next one once or twice. No clock.
 
 #include "dmx/wire/packet.h"
 
@@ -16,7 +16,7 @@ namespace ghost::dmx {
 
 class Rivalry {
 public:
-    enum Kind { covers, by_turns };
+    enum Kind { covers, shares };
 
     Rivalry(const SourceKey& other, std::chrono::nanoseconds now)
         : other_(other), followed_(now), half_(now) {}
@@ -24,8 +24,9 @@ public:
     const SourceKey& other() const { return other_; }
     // What both show when a packet of one of them came.
     void follow(const Levels& mine, const Levels& others, std::chrono::nanoseconds now);
-    // Channels on which they met lately. Call it now and then: it also forgets.
-    void conclude(std::chrono::nanoseconds now);
+    // What that says. Call it a few times a second, with what both show then.
+    void conclude(const Levels& mine, const Levels& others, std::chrono::nanoseconds now);
+    // Channels on which they met of late.
     std::size_t met(Kind kind, std::chrono::nanoseconds now) const {
         const Met& met = met_[kind];
         return met.at && now - *met.at <= kForgotten ? met.count : 0;
@@ -34,7 +35,7 @@ public:
 private:
     struct Half {       // of the time that is looked at
         Levels times{}; // that they came apart
-        Levels seen{};  // up or down of each of both, as bits
+        Levels seen{};  // what each of both did, as bits
     };
     struct Met {
         std::size_t count = 0;

@@ -47,7 +47,8 @@ struct LostUniverse {
     std::uint16_t universe = 0;
     bool black = false; // else its last look is held
     std::chrono::nanoseconds since{0};
-    bool ended = false; // its last source said goodbye
+    bool ended = false;                 // its last source said goodbye
+    std::chrono::nanoseconds silent{0}; // since its newest levels
 };
 
 struct SourceStatus {
@@ -91,7 +92,7 @@ struct SourceStatus {
     // those where one of both covers the other (Rivalry).
     std::size_t slots_overruled = 0;
     std::size_t slots_contested = 0; // of these: where its own level is above 0, or was
-    std::size_t slots_by_turns = 0;  // that it and another of its rank have up by turns (Rivalry)
+    std::size_t slots_shared = 0;    // that it and another of its rank have up at different times (Rivalry)
     std::chrono::nanoseconds age{0}; // since its last level packet, without time in which we did not listen
     std::shared_ptr<const SourceSlots> slots; // where MergeOptions::slot_status asks for it, else null
 };

@@ -222,6 +222,9 @@ constexpr const char* kSentences[] = {
                     "silent or does not get here: its output, the network, a firewall on UDP 5568 and 6454"),
     QT_TRANSLATE_NOOP("Sentence", "%1 announces %2, nothing is patched there; the show wants %3"),
     QT_TRANSLATE_NOOP("Sentence", "%1 announces %2, nothing is patched there"),
+    QT_TRANSLATE_NOOP(
+        "Sentence", "packets for %1 arrive (%2), nothing is patched there; the show wants %3; %4 is %5 with "
+                    "its two bytes exchanged: if that is meant, the sender writes them in the wrong order"),
     QT_TRANSLATE_NOOP("Sentence",
                       "packets for %1 arrive (%2), nothing is patched there; the show wants %3; %4 "
                       "is %5 with its two bytes exchanged: the sender writes universe numbers in "
@@ -280,6 +283,10 @@ constexpr const char* kSentences[] = {
     QT_TRANSLATE_NOOP("Sentence", "Art-Net merges two"),
     QT_TRANSLATE_NOOP("Sentence",
                       "%1 are merged, those of the highest priority and of these the longest known"),
+    QT_TRANSLATE_NOOP("Sentence",
+                      "%1 is shown only in part on %2: %3 has a higher priority, and sends 0 alone"),
+    QT_TRANSLATE_NOOP("Sentence",
+                      "%1 is shown only in part on %2: %3 has a higher priority, and has all dimmers at 0"),
     QT_TRANSLATE_NOOP("Sentence", "%1 is not shown on %2: %3 has a higher priority, and sends 0 alone"),
     QT_TRANSLATE_NOOP("Sentence",
                       "%1 is not shown on %2: %3 has a higher priority, and has all dimmers at 0"),
@@ -296,13 +303,15 @@ constexpr const char* kSentences[] = {
     QT_TRANSLATE_NOOP("Sentence", "%1 levels"),
     QT_TRANSLATE_NOOP("Sentence", "%1 level"),
     QT_TRANSLATE_NOOP(
-        "Sentence", "%1 comes from more than one source of equal priority, %2, and they have up to %3 up by "
-                    "turns: %4. If both play these lamps, all is well; if one is a backup, it is out of "
-                    "step: give it a lower priority"),
-    QT_TRANSLATE_NOOP("Sentence",
-                      "%1 come from more than one source of equal priority, %2, and they have up to %3 up by "
-                      "turns: %4. If both play these lamps, all is well; if one is a backup, it is out of "
-                      "step: give it a lower priority"),
+        "Sentence",
+        "%1 comes from more than one source of equal priority, %2, and they have up to %3 up at "
+        "different times: %4. If both play these lamps, all is well; if one is a backup, it is out of "
+        "step: give it a lower priority"),
+    QT_TRANSLATE_NOOP(
+        "Sentence",
+        "%1 come from more than one source of equal priority, %2, and they have up to %3 up at "
+        "different times: %4. If both play these lamps, all is well; if one is a backup, it is out of "
+        "step: give it a lower priority"),
     QT_TRANSLATE_NOOP("Sentence",
                       "%1 comes from more than one source of equal priority, %2, and they differ on up to "
                       "%3: %4. Switch one off, or give one that is a backup a lower priority"),
@@ -311,10 +320,10 @@ constexpr const char* kSentences[] = {
                       "%4. Switch one off, or give one that is a backup a lower priority"),
     QT_TRANSLATE_NOOP("Sentence",
                       "%1 comes from more than one source of equal priority, %2, and they differ on up to "
-                      "%3: %4. None of these is above 0 at two of them, so they may be meant to share"),
+                      "%3: %4. None of these is now above 0 at two of them, so they may be meant to share"),
     QT_TRANSLATE_NOOP("Sentence",
                       "%1 come from more than one source of equal priority, %2, and they differ on up to %3: "
-                      "%4. None of these is above 0 at two of them, so they may be meant to share"),
+                      "%4. None of these is now above 0 at two of them, so they may be meant to share"),
     QT_TRANSLATE_NOOP("Sentence",
                       "%1 comes from more than one source of equal priority, %2, and they differ on up to "
                       "%3: %4. %5 sends 0 alone: if that is a black-out, the others hide it"),

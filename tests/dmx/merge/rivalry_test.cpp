@@ -32,12 +32,12 @@ Packet packet_of(Desk& desk, const Levels4& levels) {
 }
 
 struct Met {
-    std::size_t covered = 0, by_turns = 0;
+    std::size_t covered = 0, shared = 0;
     bool operator==(const Met&) const = default;
 };
 
 void PrintTo(const Met& met, std::ostream* out) {
-    *out << met.covered << " covered, " << met.by_turns << " by turns";
+    *out << met.covered << " covered, " << met.shared << " shared";
 }
 
 // Channels on which two desks meet at the end of this time.
@@ -53,8 +53,8 @@ Met met(const Look& first, const Look& second, std::uint8_t priority = 100, nano
     const std::vector<SourceStatus> sources = merge.sources(time);
     EXPECT_EQ(sources[0].slots_contested, sources[1].slots_contested);
     EXPECT_GE(sources[0].slots_overruled, sources[0].slots_contested);
-    EXPECT_EQ(sources[0].slots_by_turns, sources[1].slots_by_turns);
-    return {sources[0].slots_contested, sources[0].slots_by_turns};
+    EXPECT_EQ(sources[0].slots_shared, sources[1].slots_shared);
+    return {sources[0].slots_contested, sources[0].slots_shared};
 }
 
 TEST(Rivalry, a_forgotten_desk_at_full_under_a_chase) {
@@ -65,7 +65,7 @@ TEST(Rivalry, a_forgotten_desk_at_full_under_a_chase) {
 }
 
 TEST(Rivalry, one_chase_out_of_step) {
-    EXPECT_EQ(met(chase, [](nanoseconds now) { return chase(now + 500ms); }), Met({.by_turns = 4}));
+    EXPECT_EQ(met(chase, [](nanoseconds now) { return chase(now + 500ms); }), Met({.shared = 4}));
 }
 
 TEST(Rivalry, a_backup_that_follows) {
@@ -88,14 +88,27 @@ TEST(Rivalry, a_backup_that_follows_what_flashes) {
 
 TEST(Rivalry, a_forgotten_desk_that_is_not_full) {
     const Look low = [](nanoseconds) { return Levels4{100, 100, 100, 100}; };
-    EXPECT_EQ(met(chase, low), Met({.covered = 4}));
+    EXPECT_EQ(met(chase, low), Met({.shared = 4})) << "the chase is seen above it";
+    const Look quiet = [](nanoseconds now) {
+        Levels4 levels = chase(now);
+        for (int& level : levels) level = level * 77 / 255;
+        return levels;
+    };
+    const Look middle = [](nanoseconds) { return Levels4{153, 153, 153, 153}; };
+    EXPECT_EQ(met(quiet, middle), Met({.covered = 4}));
 }
 
 TEST(Rivalry, a_lamp_that_two_operators_bump) {
     const auto bump = [](nanoseconds every) {
         return [every](nanoseconds now) { return Levels4{now % every < 300ms ? 255 : 0, 0, 0, 0}; };
     };
-    EXPECT_EQ(met(bump(1500ms), bump(2000ms)), Met({.by_turns = 1}));
+    EXPECT_EQ(met(bump(1500ms), bump(2000ms)), Met({.shared = 1}));
+}
+
+TEST(Rivalry, a_bump_over_a_look_that_stands) {
+    const Look bump = [](nanoseconds now) { return Levels4{now % 2000ms < 300ms ? 255 : 0, 0, 0, 0}; };
+    const Look stands = [](nanoseconds) { return Levels4{100, 0, 0, 0}; };
+    EXPECT_EQ(met(bump, stands), Met({.shared = 1}));
 }
 
 TEST(Rivalry, halves_of_a_universe) {

@@ -111,7 +111,7 @@ MISTAKES = [
      ["'Test desk'", "'Forgotten'", "Switch one off"]),
     ("out_of_step", "two desks of equal priority run one chase half a second apart",
      {"once": True, "send": [sacn(levels={}, chases=[1, 2, 4, 12]), sacn(levels={}, chases=[1, 2, 4, 12], chase_begins=20, name="Second", cid=2)]}, "two_desks",
-     ["'Test desk'", "'Second'", "4 channels up by turns", "it is out of step"]),
+     ["'Test desk'", "'Second'", "4 channels up at different times", "it is out of step"]),
     ("given_away", "a desk gives all channels away by priority per address, and nobody else sends them", {"send": [sacn(per_address=0)]},
      "bad_priorities", ["'Test desk' (10.93.0.1)", "22 of 22 patched channels on universe 1", "nobody else sends them"]),
     ("dark_above", "a desk of higher priority has all dimmers at 0 and hides the look",
