@@ -5766,10 +5766,6 @@ Bitte den Namen des Ordners prüfen.</translation>
         <translation>%1 Paket</translation>
     </message>
     <message>
-        <source>%1. To tell them apart: where &apos;%2&apos; shows packets to an address of ours, to its broadcast, to 239.255 or ff18::, a firewall or the reverse path filter of this machine drops them, or their sender has an address of ours; to another broadcast, the masks differ; where it shows none at all, they do not get here: a cable, another VLAN, a switch that holds multicast back (IGMP snooping without a querier), or a desk that is silent</source>
-        <translation>%1. So unterscheidet man sie: wo &apos;%2&apos; Pakete an eine Adresse von uns, an deren Broadcast, an 239.255 oder ff18:: zeigt, verwirft sie eine Firewall oder der Rückwegfilter (rp_filter) dieses Rechners, oder ihr Sender hat eine Adresse von uns; an einen anderen Broadcast, dann sind die Masken verschieden; wo es gar keine zeigt, kommen sie nicht bis hierher: ein Kabel, ein anderes VLAN, ein Switch, der Multicast zurückhält (IGMP-Snooping ohne Querier), oder ein Pult, das schweigt</translation>
-    </message>
-    <message>
         <source>%1 overrides %2, which would light it: on %3 it sends %4 instead of %5</source>
         <translation>%1 geht %2 vor, das es leuchten ließe: auf %3 sendet es %4 statt %5</translation>
     </message>
@@ -5844,6 +5840,10 @@ Bitte den Namen des Ordners prüfen.</translation>
     <message>
         <source>%1 comes from more than one source of equal priority, %2, and they have up to %3 up at different times: %4. If both play these lamps, all is well; if one is a backup, it is out of step: give it a lower priority</source>
         <translation>%1 kommt von mehr als einer Quelle gleicher Priorität, %2, und sie haben bis zu %3 zu verschiedenen Zeiten oben: %4. Spielen beide diese Lampen, ist alles gut; ist eine ein Backup, so läuft es nicht im Takt: ihm eine niedrigere Priorität geben</translation>
+    </message>
+    <message>
+        <source>%1. To tell them apart: where &apos;%2&apos; shows packets to an address of ours, to its broadcast or to the group of a universe of ours (239.255.0.1, ff18::.. for 1), a firewall or the reverse path filter of this machine drops them, or their sender has an address of ours; to another broadcast, the masks differ; to another group, it is another universe; where it shows none at all, they do not get here: a cable, another VLAN, a switch that holds multicast back (IGMP snooping without a querier), or a desk that is silent</source>
+        <translation>%1. So unterscheidet man sie: wo &apos;%2&apos; Pakete an eine Adresse von uns, an deren Broadcast oder an die Gruppe eines Universums von uns zeigt (239.255.0.1, ff18::.. für 1), verwirft sie eine Firewall oder der Rückwegfilter (rp_filter) dieses Rechners, oder ihr Sender hat eine Adresse von uns; an einen anderen Broadcast, dann sind die Masken verschieden; an eine andere Gruppe, dann ist es ein anderes Universum; wo es gar keine zeigt, kommen sie nicht bis hierher: ein Kabel, ein anderes VLAN, ein Switch, der Multicast zurückhält (IGMP-Snooping ohne Querier), oder ein Pult, das schweigt</translation>
     </message>
 </context>
 <context>

@@ -220,11 +220,13 @@ void add_patch(const dmx::Statistics& statistics, const Arriving& arriving, cons
 namespace {
 
 // ". net0: cable pulled 4 s ago, ..", of what happened to our cards after the last levels came; else "".
-std::string links_text(const dmx::Statistics& statistics, std::chrono::nanoseconds silent) {
+std::string links_text(const dmx::Statistics& statistics, std::chrono::nanoseconds silent,
+                       const std::set<unsigned>& interfaces) {
     std::string text;
     for (const dmx::LinkChange& change : statistics.link_changes)
         if (const std::chrono::nanoseconds age = statistics.time - change.time;
-            change.is_loss && age <= silent && silent - age <= dmx::kArtnetLoss)
+            change.is_loss && interfaces.contains(change.interface_index) && age <= silent &&
+            silent - age <= dmx::kArtnetLoss)
             text = ". " + one_line(change.text) + " " + seconds_text(age) + " ago, which may be why";
     return text;
 }
@@ -236,6 +238,7 @@ void add_lost(const dmx::Statistics& statistics, const PatchMap& patch, Sentence
     constexpr std::pair<bool, bool> kKinds[] = {{false, false}, {true, false}, {false, true}, {true, true}};
     for (const auto& [black, ended] : kKinds) {
         std::set<int> universes;
+        std::set<unsigned> interfaces; // that these came by
         std::chrono::nanoseconds longest{0}, silent{0};
         for (const dmx::LostUniverse& one : statistics.lost) {
             if (one.black != black || one.ended != ended ||
@@ -245,9 +248,10 @@ void add_lost(const dmx::Statistics& statistics, const PatchMap& patch, Sentence
             universes.insert(one.universe);
             longest = std::max(longest, one.since);
             silent = std::max(silent, one.silent);
+            interfaces.insert(one.interface_index);
         }
         if (universes.empty()) continue;
-        const std::string links = links_text(statistics, silent);
+        const std::string links = links_text(statistics, silent, interfaces);
         const bool bare = std::any_of(universes.begin(), universes.end(),
                                       [&](int universe) { return is_without_levels(statistics, universe); });
         out.push_back(problem(

@@ -224,8 +224,8 @@ void add_nothing(const dmx::Statistics& statistics, const Arriving& arriving, co
     if (!ports.empty()) // else packets get through
         text +=
             ". To tell them apart: where 'tcpdump -ni any " + tcpdump_text(ports) +
-            "' shows packets to an address of ours, to its broadcast, to 239.255 or ff18::, a firewall or "
-            "the "
+            "' shows packets to an address of ours, to its broadcast or to the group of a universe of ours "
+            "(239.255.0.1, ff18::.. for 1), a firewall or the "
             "reverse path filter of this machine drops them, or their sender has an address of ours; to "
             "another broadcast, the masks differ; where "
             "it "
@@ -252,8 +252,11 @@ void add_silence(const dmx::Statistics& statistics, const Arriving& arriving, co
     };
     const bool elsewhere = !patch.universes().empty() &&
                            std::any_of(arriving.listed.begin(), arriving.listed.end(), is_elsewhere);
+    const bool just_lost =
+        std::any_of(statistics.sources.begin(), statistics.sources.end(),
+                    [](const dmx::SourceStatus& source) { return source.state == dmx::SourceState::silent; });
     if (out.size() == before && (!elsewhere || is_unreadable(statistics)) && arriving.nothing() &&
-        statistics.lost.empty() && (listening.sacn || listening.artnet))
+        statistics.lost.empty() && !just_lost && (listening.sacn || listening.artnet))
         add_nothing(statistics, arriving, patch, out);
     for (const dmx::PortUser& user : statistics.port_users) {
         const auto sockets = std::find_if(statistics.sockets.begin(), statistics.sockets.end(),

@@ -224,20 +224,29 @@ TEST(diagnosis, ALostUniverse) {
     network.statistics.lost = {{3, false, 12s, true}};
     expect_words(network.text(Trouble::lost), {"universe 3 any more", "said that it ends this stream"});
     EXPECT_EQ(network.text(Trouble::lost).find("firewall"), std::string::npos);
-    network.statistics.lost = {{3, false, 12s, false, 16s}};
+    network.statistics.lost = {{3, false, 12s, false, 16s, 2}};
     auto& changes = network.statistics.link_changes;
     changes = {{1, "eth0: cable plugged in", network.statistics.time - 14s},
-               {2, "eth0: cable pulled", network.statistics.time - 40s, true}};
+               {2, "eth0: cable pulled", network.statistics.time - 40s, true, 2}};
     expect_words(network.text(Trouble::lost), {"a firewall"});
-    changes.push_back({3, "eth0: cable pulled", network.statistics.time - 17s, true});
+    changes.push_back({3, "eth0: cable pulled", network.statistics.time - 17s, true, 2});
     expect_words(network.text(Trouble::lost), {"a firewall"}); // levels came after it
-    changes.push_back({4, "eth0: cable pulled", network.statistics.time - 15s, true});
+    changes.push_back({4, "eth1: cable pulled", network.statistics.time - 15s, true, 3});
+    expect_words(network.text(Trouble::lost), {"a firewall"}); // they came by another card
+    changes.push_back({5, "eth0: cable pulled", network.statistics.time - 15s, true, 2});
     expect_words(network.text(Trouble::lost), {"last look is held. eth0: cable pulled 15 s ago"});
     network.statistics.lost = {{3, true, 70s}};
     expect_words(network.text(Trouble::lost), {"black", "70 s"});
     Network all({3});
     all.statistics.lost = {{3, false, 12s}};
     EXPECT_EQ(all.troubles(), Troubles{Trouble::lost});
+}
+
+TEST(diagnosis, ADeskThatHasJustFallenSilentIsNotNothing) {
+    Network network({3});
+    network.sends({3});
+    network.statistics.sources[0].state = dmx::SourceState::silent;
+    EXPECT_EQ(network.troubles(), Troubles{}) << "at the next tick it is lost";
 }
 
 TEST(diagnosis, FewerChannelsThanArePatched) {

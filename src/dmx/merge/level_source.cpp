@@ -262,24 +262,39 @@ bool LevelSource::rivals(const LevelSource& other) const {
            key_.preview == other.key_.preview && priority() == other.priority();
 }
 
-void LevelSource::compare_with(const LevelSource* rival, std::chrono::nanoseconds now) {
-    if (!rival)
-        rivalry_.reset();
-    else if (!is_rival(*rival))
-        rivalry_ = std::make_unique<Rivalry>(rival->key_, now);
-    else
-        rivalry_->conclude(levels_, rival->levels_, now);
+void LevelSource::compare_with(const std::vector<const LevelSource*>& rivals, std::chrono::nanoseconds now) {
+    std::erase_if(rivalries_, [&](const Rivalry& one) {
+        return std::none_of(rivals.begin(), rivals.end(),
+                            [&](const LevelSource* rival) { return one.other() == rival->key_; });
+    });
+    for (const LevelSource* const rival : rivals) {
+        const auto found = std::find_if(rivalries_.begin(), rivalries_.end(),
+                                        [&](const Rivalry& one) { return one.other() == rival->key_; });
+        if (found == rivalries_.end())
+            rivalries_.emplace_back(rival->key_, now);
+        else
+            found->conclude(levels_, rival->levels_, now);
+    }
 }
 
-void LevelSource::follow(const LevelSource& rival, std::chrono::nanoseconds now) {
-    if (!per_address_ && !rival.per_address_) {
-        rivalry_->follow(levels_, rival.levels_, now);
+void LevelSource::follow(const LevelSource& other, std::chrono::nanoseconds now) {
+    const auto found = std::find_if(rivalries_.begin(), rivalries_.end(),
+                                    [&](const Rivalry& one) { return one.other() == other.key_; });
+    if (found == rivalries_.end()) return;
+    if (!per_address_ && !other.per_address_) {
+        found->follow(levels_, other.levels_, now);
         return;
     }
-    Levels mine = levels_, others = rival.levels_;
+    Levels mine = levels_, others = other.levels_;
     for (std::size_t i = 0; i < kSlots; ++i)
-        if (rank(i) != rival.rank(i)) mine[i] = others[i] = 0;
-    rivalry_->follow(mine, others, now);
+        if (rank(i) != other.rank(i)) mine[i] = others[i] = 0;
+    found->follow(mine, others, now);
+}
+
+const Rivalry* LevelSource::rivalry(const LevelSource& other) const {
+    const auto found = std::find_if(rivalries_.begin(), rivalries_.end(),
+                                    [&](const Rivalry& one) { return one.other() == other.key_; });
+    return found == rivalries_.end() ? nullptr : &*found;
 }
 
 void LevelSource::resume(std::chrono::nanoseconds pause, std::chrono::nanoseconds now) {

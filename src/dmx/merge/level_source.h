@@ -76,12 +76,12 @@ public:
     }
     // Both take part, and neither goes before the other.
     bool rivals(const LevelSource& other) const;
-    // The one that was there before it and that it is compared with; null: it has none.
-    void compare_with(const LevelSource* rival, std::chrono::nanoseconds now);
-    // One of both shows something new.
-    void follow(const LevelSource& rival, std::chrono::nanoseconds now);
-    bool is_rival(const LevelSource& other) const { return rivalry_ && rivalry_->other() == other.key_; }
-    const Rivalry* rivalry() const { return rivalry_.get(); }
+    // Those that were there before it and that it is compared with, now and then.
+    void compare_with(const std::vector<const LevelSource*>& rivals, std::chrono::nanoseconds now);
+    // It or that one shows something new.
+    void follow(const LevelSource& other, std::chrono::nanoseconds now);
+    // With that one; null: they are no rivals.
+    const Rivalry* rivalry(const LevelSource& other) const;
     // When the slot changed last, as the stamp that keep() was given; 0 where that is not recorded (sACN).
     std::uint32_t changed(std::size_t slot) const { return changed_.empty() ? 0 : changed_[slot]; }
 
@@ -138,7 +138,7 @@ private:
     };
     std::unique_ptr<OtherWay> other_;  // while there is one
     std::unique_ptr<SharedRows> rows_; // while numbers or ports are those of two senders, perhaps
-    std::unique_ptr<Rivalry> rivalry_; // while another has the same say
+    std::vector<Rivalry> rivalries_;   // with others that have the same say
     std::chrono::nanoseconds odd_at_{0};
     std::uint16_t numbered_port_ = 0;          // of the newest packet with a number
     std::uint16_t port_ = 0, port_before_ = 0; // of the newest packet, and of the newest by another port

@@ -154,19 +154,24 @@ void Merge::terminate(std::uint16_t number, Input& input, const Packet& packet,
 
 namespace {
 
-const LevelSource* rival_of(const LevelSource& source, const std::vector<LevelSource>& all) {
-    if (!source.rivalry()) return nullptr;
-    const auto found = std::find_if(all.begin(), all.end(),
-                                    [&](const LevelSource& other) { return source.is_rival(other); });
-    return found == all.end() ? nullptr : &*found;
+// A source shows something new.
+void tell_rivals(std::vector<LevelSource>& all, LevelSource& source, std::chrono::nanoseconds now) {
+    for (LevelSource& other : all) {
+        if (&other == &source) continue;
+        other.follow(source, now);
+        source.follow(other, now);
+    }
 }
 
-// A source shows something new.
-void tell_rivals(std::vector<LevelSource>& all, const LevelSource& source, std::chrono::nanoseconds now) {
-    for (LevelSource& one : all)
-        if (const LevelSource* const rival = rival_of(one, all);
-            rival && (&one == &source || rival == &source))
-            one.follow(*rival, now);
+// Of each of them with those before it.
+void compare_rivals(std::vector<LevelSource>& all, std::chrono::nanoseconds now) {
+    constexpr std::size_t kMostRivals = 3; // what a packet costs is bounded
+    for (auto source = all.begin(); all.size() > 1 && source != all.end(); ++source) {
+        std::vector<const LevelSource*> rivals;
+        for (auto before = all.begin(); before != source && rivals.size() < kMostRivals; ++before)
+            if (source->rivals(*before)) rivals.push_back(&*before);
+        source->compare_with(rivals, now);
+    }
 }
 
 } // namespace
@@ -231,7 +236,10 @@ void Merge::feed(const Packet& packet, std::chrono::nanoseconds now) {
     if (hold) sync_.wait(packet.source, packet.sync_universe, packet.universe);
     source->keep(packet, hold, ++stamp_, now);
     counters_.held += hold ? 1 : 0;
-    if (packet.start_code == 0) input.arrival = std::max(input.arrival, now);
+    if (packet.start_code == 0) {
+        input.arrival = std::max(input.arrival, now);
+        input.interface_index = packet.interface_index;
+    }
     if (hold) return;
     mark(packet.universe, input);
     tell_rivals(input.sources, *source, now);
@@ -320,12 +328,7 @@ void Merge::tick(std::chrono::nanoseconds now) {
             source.measure_rate(now);
             counters_.lost += source.take_lost();
         }
-        for (auto source = input.sources.begin(); source != input.sources.end(); ++source) {
-            const auto rival = std::find_if(input.sources.begin(), source, [&](const LevelSource& before) {
-                return source->rivals(before);
-            });
-            source->compare_with(rival == source ? nullptr : &*rival, now);
-        }
+        compare_rivals(input.sources, now);
         if (changed) mark(number, input);
         apply_loss_policy(number, input, now);
     }
@@ -432,13 +435,13 @@ std::vector<SourceStatus> Merge::sources(std::chrono::nanoseconds now) const {
         }
         for (std::size_t i = 1; i < held.size(); ++i)
             for (std::size_t k = 0; k < i; ++k) {
-                if (!input.sources[i].is_rival(input.sources[k])) continue;
-                const Rivalry& rivalry = *input.sources[i].rivalry();
-                const std::size_t covered = rivalry.met(Rivalry::covers, now);
+                const Rivalry* const rivalry = input.sources[i].rivalry(input.sources[k]);
+                if (!rivalry) continue;
+                const std::size_t covered = rivalry->met(Rivalry::covers, now);
                 for (SourceStatus* one : {&result[first + k], &result[first + i]}) {
                     one->slots_overruled = std::max(one->slots_overruled, covered);
                     one->slots_contested = std::max(one->slots_contested, covered);
-                    one->slots_shared = std::max(one->slots_shared, rivalry.met(Rivalry::shares, now));
+                    one->slots_shared = std::max(one->slots_shared, rivalry->met(Rivalry::shares, now));
                 }
             }
     }
@@ -458,8 +461,8 @@ std::vector<LostUniverse> Merge::lost(std::chrono::nanoseconds now) const {
     std::vector<LostUniverse> result;
     for (const auto& [number, input] : inputs_)
         if (input.lost_since)
-            result.push_back(
-                {number, input.black_due, now - *input.lost_since, input.ended, now - input.arrival});
+            result.push_back({number, input.black_due, now - *input.lost_since, input.ended,
+                              now - input.arrival, input.interface_index});
     return result;
 }
 

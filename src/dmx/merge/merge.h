@@ -128,6 +128,7 @@ private:
     struct Input {
         std::vector<LevelSource> sources;
         std::chrono::nanoseconds arrival{0};
+        unsigned interface_index = 0;      // by which levels came last
         std::chrono::nanoseconds heard{0}; // newest packet of a source that has a place
         std::optional<std::chrono::nanoseconds> lost_since;
         bool ended = false;     // the last source that left said goodbye

@@ -49,6 +49,7 @@ struct LostUniverse {
     std::chrono::nanoseconds since{0};
     bool ended = false;                 // its last source said goodbye
     std::chrono::nanoseconds silent{0}; // since its newest levels
+    unsigned interface_index = 0;       // that these came by; 0: not told
 };
 
 struct SourceStatus {

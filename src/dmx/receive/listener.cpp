@@ -147,10 +147,11 @@ std::string Listener::failed_joins() const {
            " multicast groups could not be joined, the first: " + failures.front();
 }
 
-void Listener::note(const std::string& text, std::chrono::nanoseconds now, bool is_loss) {
+void Listener::note(const std::string& text, std::chrono::nanoseconds now, bool is_loss,
+                    unsigned interface_index) {
     const std::uint64_t number = link_changes_.empty() ? 1 : link_changes_.back().number + 1;
     if (link_changes_.size() >= kMaxRemembered) link_changes_.erase(link_changes_.begin());
-    link_changes_.push_back({number, text, now, is_loss});
+    link_changes_.push_back({number, text, now, is_loss, interface_index});
 }
 
 void Listener::check(const More& more, std::chrono::nanoseconds now) {
@@ -163,7 +164,8 @@ void Listener::check(const More& more, std::chrono::nanoseconds now) {
     look_at_interfaces();
     const bool changed = before != all_;
     for (const NetInterface& interface : before)
-        if (changed && !find_index(all_, interface.index)) note(interface.name + ": gone", now, true);
+        if (changed && !find_index(all_, interface.index))
+            note(interface.name + ": gone", now, true, interface.index);
     for (const NetInterface& interface : all_) {
         if (!changed) break;
         const NetInterface* old = find_index(before, interface.index);
@@ -171,7 +173,7 @@ void Listener::check(const More& more, std::chrono::nanoseconds now) {
             note(interface.name + ": came up", now);
         else if (old->running != interface.running)
             note(interface.name + (interface.running ? ": cable plugged in" : ": cable pulled"), now,
-                 !interface.running);
+                 !interface.running, interface.index);
         else if (std::find(before.begin(), before.end(), interface) == before.end())
             note(interface.name + ": its address changed", now);
     }

@@ -103,6 +103,7 @@ struct LinkChange {
     std::string text;         // "eth0: cable pulled", ...
     std::chrono::nanoseconds time{0};
     bool is_loss = false; // it went, or lost its cable
+    unsigned interface_index = 0;
 };
 
 struct Statistics {

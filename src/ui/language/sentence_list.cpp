@@ -833,12 +833,12 @@ constexpr const char* kSentences[] = {
                                   "multicast of QLC+ does not come back here"),
     QT_TRANSLATE_NOOP(
         "Sentence",
-        "%1. To tell them apart: where '%2' shows packets to an address of ours, to its broadcast, to "
-        "239.255 "
-        "or ff18::, a firewall or the reverse path filter of this machine drops them, or their sender has an "
-        "address of ours; to another broadcast, "
-        "the masks differ; where it shows none at all, they do not get here: a cable, another VLAN, a switch "
-        "that holds multicast back (IGMP snooping without a querier), or a desk that is silent"),
+        "%1. To tell them apart: where '%2' shows packets to an address of ours, to its broadcast or to the "
+        "group of a universe of ours (239.255.0.1, ff18::.. for 1), a firewall or the reverse path filter of "
+        "this machine drops them, or their sender has an address of ours; to another broadcast, the masks "
+        "differ; to another group, it is another universe; where it shows none at all, they do not get here: "
+        "a cable, another VLAN, a switch that holds multicast back (IGMP snooping without a querier), or a "
+        "desk that is silent"),
 };
 
 } // namespace

@@ -111,6 +111,22 @@ TEST(Rivalry, a_bump_over_a_look_that_stands) {
     EXPECT_EQ(met(bump, stands), Met({.shared = 1}));
 }
 
+TEST(Rivalry, a_forgotten_desk_behind_a_third_one) {
+    Merge merge;
+    Desk panel{1}, desk{2}, forgotten{3};
+    for (nanoseconds now{0}; now < 20s; now += 25ms) {
+        merge.feed(panel.packet({0, 0, 0, 0}), now);
+        merge.feed(packet_of(desk, chase(now)), now);
+        merge.feed(packet_of(forgotten, {255, 255, 255, 255}), now);
+        merge.tick(now);
+        (void)merge.universes();
+    }
+    const std::vector<SourceStatus> sources = merge.sources(20s);
+    EXPECT_EQ(sources[0].slots_contested, 0u);
+    EXPECT_EQ(sources[1].slots_contested, 4u);
+    EXPECT_EQ(sources[2].slots_contested, 4u);
+}
+
 TEST(Rivalry, halves_of_a_universe) {
     const Look first = [](nanoseconds now) {
         return now / kStep % 2 ? Levels4{255, 0, 0, 0} : Levels4{0, 255, 0, 0};

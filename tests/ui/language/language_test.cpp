@@ -76,13 +76,12 @@ TEST_F(Language, SoAreTheSentencesThatItIsMadeOf) {
         "network, "
         "and is no firewall on UDP 5568 in the way? We listen on net0 (10.93.0.2/24); 'Desk' (10.93.0.1) on "
         "universe 1: only priorities per address (start code 0xDD), no levels. To tell them apart: where "
-        "'tcpdump -ni any udp port 5568' shows packets to an address of ours, to its broadcast, to 239.255 "
-        "or "
-        "ff18::, a firewall or the reverse path filter of this machine drops them, or their sender has an "
-        "address of ours; to another broadcast, the masks differ; where it shows none at all, they do not "
-        "get here: a cable, another VLAN, a switch "
-        "that "
-        "holds multicast back (IGMP snooping without a querier), or a desk that is silent");
+        "'tcpdump -ni any udp port 5568' shows packets to an address of ours, to its broadcast or to the "
+        "group of a universe of ours (239.255.0.1, ff18::.. for 1), a firewall or the reverse path filter of "
+        "this machine drops them, or their sender has an address of ours; to another broadcast, the masks "
+        "differ; to another group, it is another universe; where it shows none at all, they do not get here: "
+        "a cable, another VLAN, a switch that holds multicast back (IGMP snooping without a querier), or a "
+        "desk that is silent");
     for (const char* const part : {"nur Prioritäten je Adresse", "wo 'tcpdump -ni any udp port 5568' Pakete",
                                    "obwohl 3 andere Pakete ankommen (3 poll)",
                                    "'Desk' (10.93.0.1) auf Universum 1", "ein Pult, das schweigt"})

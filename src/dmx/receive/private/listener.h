@@ -64,7 +64,8 @@ private:
     Result<void> open_chosen();
     void close(UdpSocket* socket);
     void look_at_interfaces();
-    void note(const std::string& text, std::chrono::nanoseconds now, bool is_loss = false);
+    void note(const std::string& text, std::chrono::nanoseconds now, bool is_loss = false,
+              unsigned interface_index = 0);
     std::string failed_joins() const;
     void join_groups(const More& more);
     std::vector<NetInterface> other_interfaces() const;
