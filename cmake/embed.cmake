@@ -1,6 +1,87 @@
 # SPDX-License-Identifier: Apache-2.0
-# Writes compiled SPIR-V as a gpu::Shader of C++: cmake -DINPUT= -DOUTPUT= -DNAME= -P embed.cmake
+# Writes a shader for C++: its compiled SPIR-V as gpu::Shader kShader_NAME and, where it binds anything, a struct
+# <Name>Bindings with one gpu::Binding for each of its bindings, in their order, that turns into the list that a dispatch
+# takes. A binding is called as the GLSL has it, in snake_case: an image by its variable, a block by its own name without a
+# Block at the end (ViewBlock, where View is the struct in it). The names are read from the preprocessed GLSL, for the
+# optimised SPIR-V has none, and what the SPIR-V binds has to be among them.
+# cmake -DINPUT=SPIRV -DGLSL=PREPROCESSED -DOUTPUT= -DNAME= -P embed.cmake
+cmake_minimum_required(VERSION 3.25)
+
+function(refuse why)
+    message(FATAL_ERROR "shader ${NAME}: ${why}")
+endfunction()
+
 file(READ ${INPUT} bytes HEX)
 string(REGEX REPLACE "(..)(..)(..)(..)" "0x\\4\\3\\2\\1," words "${bytes}")
-file(WRITE ${OUTPUT} "#pragma once\n#include \"gpu/shader.h\"\nnamespace ghost::render::shaders {\n"
-    "inline constexpr std::uint32_t kWords_${NAME}[] = {${words}};\ninline constexpr gpu::Shader kShader_${NAME}{\"${NAME}\", kWords_${NAME}};\n}\n")
+
+# Characters that part CMake's lists give way to others.
+file(READ ${GLSL} glsl)
+string(REGEX REPLACE ";" "@" glsl "${glsl}")
+string(REGEX REPLACE "\\[" "<" glsl "${glsl}")
+string(REGEX REPLACE "\\]" ">" glsl "${glsl}")
+string(REGEX MATCHALL "[^A-Za-z0-9_]binding[ \t]*=" all "${glsl}")
+set(word "[A-Za-z_][A-Za-z0-9_]*")
+string(REGEX MATCHALL "layout *\\([^()@{}]*[^A-Za-z0-9_]?binding *= *[^(),@{}]+[^()@{}]*\\)[^()@{}]*[@{]" declared "${glsl}")
+list(LENGTH all all_count)
+list(LENGTH declared count)
+if(NOT count EQUAL all_count)
+    refuse("${all_count} bindings are set and ${count} understood; expected each as layout(binding = N, ..) of a block or an image")
+endif()
+
+set(names)
+foreach(declaration ${declared})
+    string(REGEX REPLACE ".*[^A-Za-z0-9_]binding *= *([^,)]+).*" "\\1" number "${declaration}")
+    string(REGEX REPLACE "[ \n]+" " " declaration "${declaration}")
+    if(NOT number MATCHES "^[0-9 +]+$" OR NOT declaration MATCHES "\\)[^)]* (${word}) ?[@{]$")
+        refuse("expected a number and a name in: ${declaration}")
+    endif()
+    set(name ${CMAKE_MATCH_1})
+    math(EXPR number "${number}")
+    string(REGEX REPLACE "Block$" "" name ${name})
+    string(REGEX REPLACE "([a-z0-9])([A-Z])" "\\1_\\2" name ${name})
+    string(TOLOWER ${name} name)
+    if(DEFINED name_${number})
+        refuse("binding ${number} is there twice, as ${name_${number}} and as ${name}")
+    endif()
+    if(name IN_LIST names)
+        refuse("two bindings are called ${name}")
+    endif()
+    set(name_${number} ${name})
+    list(APPEND names ${name})
+endforeach()
+
+# OpDecorate, id, Binding, number
+string(REGEX MATCHALL "0x00040047,0x[0-9a-f]+,0x00000021,0x[0-9a-f]+," bound "${words}")
+foreach(decoration ${bound})
+    string(REGEX REPLACE ".*,(0x[0-9a-f]+),$" "\\1" number ${decoration})
+    math(EXPR number "${number}")
+    if(NOT DEFINED name_${number})
+        refuse("the compiled one has a binding ${number}, of which the source has no name")
+    endif()
+endforeach()
+
+set(struct)
+if(count GREATER 0)
+    set(members)
+    set(list)
+    math(EXPR last "${count} - 1")
+    foreach(number RANGE ${last})
+        if(NOT DEFINED name_${number})
+            refuse("it has ${count} bindings, but none at ${number}; expected numbers without gaps")
+        endif()
+        string(APPEND members "    gpu::Binding ${name_${number}};\n")
+        list(APPEND list ${name_${number}})
+    endforeach()
+    list(JOIN list ", " list)
+    string(REGEX MATCHALL "[^_]+" parts ${NAME})
+    set(type)
+    foreach(part ${parts})
+        string(SUBSTRING ${part} 0 1 first)
+        string(SUBSTRING ${part} 1 -1 rest)
+        string(TOUPPER ${first} first)
+        string(APPEND type ${first}${rest})
+    endforeach()
+    set(struct "struct ${type}Bindings {\n${members}    operator std::vector<gpu::Binding>() const { return {${list}}; }\n};\n")
+endif()
+file(WRITE ${OUTPUT} "#pragma once\n#include \"gpu/commands.h\"\nnamespace ghost::render::shaders {\n"
+    "inline constexpr std::uint32_t kWords_${NAME}[] = {${words}};\ninline constexpr gpu::Shader kShader_${NAME}{\"${NAME}\", kWords_${NAME}};\n${struct}}\n")

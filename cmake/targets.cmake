@@ -124,7 +124,7 @@ endfunction()
 
 # ghost_shaders(libraries...): compiles shaders/<room>/*.comp, *.vert and *.frag to SPIR-V and embeds it; C++ reads it through
 # <build>/generated/shaders/<name>.h as kShader_<name>, where the names of vertex and fragment shaders end in _vert and
-# _frag.
+# _frag, and gives what it binds as <Name>Bindings (cmake/embed.cmake).
 function(ghost_shaders)
     file(GLOB_RECURSE shaders CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/shaders/*.comp
         ${CMAKE_SOURCE_DIR}/shaders/*.vert ${CMAKE_SOURCE_DIR}/shaders/*.frag)
@@ -138,10 +138,12 @@ function(ghost_shaders)
             string(APPEND name ${stage})
         endif()
         set(spirv ${CMAKE_BINARY_DIR}/generated/shaders/${name}.spv)
+        set(glsl ${CMAKE_BINARY_DIR}/generated/shaders/${name}.glsl)
         set(header ${CMAKE_BINARY_DIR}/generated/shaders/${name}.h)
         add_custom_command(OUTPUT ${header}
             COMMAND ${GLSLC} --target-env=vulkan1.3 -O -Werror -I ${CMAKE_SOURCE_DIR}/shaders -o ${spirv} ${shader}
-            COMMAND ${CMAKE_COMMAND} -DINPUT=${spirv} -DOUTPUT=${header} -DNAME=${name}
+            COMMAND ${GLSLC} --target-env=vulkan1.3 -E -I ${CMAKE_SOURCE_DIR}/shaders -o ${glsl} ${shader}
+            COMMAND ${CMAKE_COMMAND} -DINPUT=${spirv} -DGLSL=${glsl} -DOUTPUT=${header} -DNAME=${name}
                     -P ${CMAKE_SOURCE_DIR}/cmake/embed.cmake
             DEPENDS ${shader} ${shared} ${CMAKE_SOURCE_DIR}/cmake/embed.cmake
             COMMENT "shader ${name}" VERBATIM)

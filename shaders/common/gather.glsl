@@ -35,11 +35,10 @@ layout(binding = 10, rgba16f) writeonly uniform image2DArray base;
 layout(binding = 11, scalar) writeonly buffer TileBounds { vec4 tile_bounds[]; };
 layout(binding = 12, scalar) buffer Rooms { TileRoom rooms[]; };
 layout(binding = 13, scalar) readonly buffer TileList { uint tile_list[]; };
-#ifndef SINGLE
+// With several samples only:
 layout(binding = 14, rg32ui) writeonly uniform uimage2DArray edges;
 layout(binding = 15, scalar) buffer Counts { GatherCounts counts; };
 layout(binding = 16, scalar) buffer BlockList { BlockListHead block_head; uint block_list[]; };
-#endif
 layout(push_constant, scalar) uniform Push { GatherPush p; };
 
 // Vulkan's standard locations; (0, 0) is the pixel's upper left corner.

@@ -3,7 +3,7 @@
 // KEEPS, the first of three bindings.
 #include "shared/visibility.h"
 
-layout(binding = KEEPS, scalar) uniform KeepBlock { Keep keeps[kLightsPerChunk]; };
+layout(binding = KEEPS, scalar) uniform Keeps { Keep keeps[kLightsPerChunk]; };
 layout(binding = KEEPS + 1, scalar) readonly buffer Entries { uint pages_used; uint unused; uvec2 entries[]; };
 layout(binding = KEEPS + 2, rg16) uniform image2DArray pages;
 

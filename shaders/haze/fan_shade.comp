@@ -10,8 +10,8 @@
 #include "shared/fan.h"
 
 layout(local_size_x = 16) in;
-layout(binding = 0, scalar) uniform LightBlock { Light lights[kLightsPerChunk]; };
-layout(binding = 1, scalar) uniform FanBlock { Fan fans[kLightsPerChunk]; };
+layout(binding = 0, scalar) uniform Lights { Light lights[kLightsPerChunk]; };
+layout(binding = 1, scalar) uniform Fans { Fan fans[kLightsPerChunk]; };
 layout(binding = 2, rg32f) uniform image2DArray shade;
 layout(push_constant, scalar) uniform Push { FanPush p; };
 layout(constant_id = 1) const bool kSingle = false; // a batch is one light

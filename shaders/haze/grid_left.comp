@@ -12,8 +12,8 @@
 
 layout(local_size_x = 128) in;
 layout(binding = 0, scalar) uniform ViewBlock { View view; };
-layout(binding = 1, scalar) uniform LightBlock { Light lights[kLightsPerChunk]; };
-layout(binding = 2, scalar) uniform FanBlock { Fan fans[kLightsPerChunk]; };
+layout(binding = 1, scalar) uniform Lights { Light lights[kLightsPerChunk]; };
+layout(binding = 2, scalar) uniform Fans { Fan fans[kLightsPerChunk]; };
 layout(binding = 3, rgba32f) readonly uniform image2DArray places; // position, coverage
 layout(binding = 4, rgba16f) uniform image2DArray drawn;
 layout(binding = 8, scalar) readonly buffer Left { LeftHead head; uint left[]; };

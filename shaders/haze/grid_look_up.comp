@@ -9,8 +9,8 @@
 
 layout(local_size_x = 16, local_size_y = 8) in;
 layout(binding = 0, scalar) uniform ViewBlock { View view; };
-layout(binding = 1, scalar) uniform LightBlock { Light lights[kLightsPerChunk]; };
-layout(binding = 2, scalar) uniform FanBlock { Fan fans[kLightsPerChunk]; };
+layout(binding = 1, scalar) uniform Lights { Light lights[kLightsPerChunk]; };
+layout(binding = 2, scalar) uniform Fans { Fan fans[kLightsPerChunk]; };
 layout(binding = 3, rgba32f) readonly uniform image2DArray places; // position, coverage
 layout(binding = 4) uniform sampler2DArray grid;
 layout(binding = 5, scalar) readonly buffer Lists { uint list[]; };

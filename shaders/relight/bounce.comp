@@ -9,7 +9,7 @@
 
 layout(local_size_x = 16, local_size_y = 8) in;
 layout(binding = 0, scalar) uniform ViewBlock { View view; };
-layout(binding = 1, scalar) uniform LightBlock { Light lights[kLightsPerChunk]; };
+layout(binding = 1, scalar) uniform Lights { Light lights[kLightsPerChunk]; };
 layout(binding = 2, rgba32f) readonly uniform image2DArray fragments;
 layout(binding = 3, rgba16f) readonly uniform image2DArray bounces;
 layout(binding = 4, rgba16f) uniform image2DArray drawn;

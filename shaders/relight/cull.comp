@@ -11,13 +11,13 @@
 
 layout(local_size_x = 64, local_size_y_id = 2) in; // tiles; lanes that share the lights of a tile
 layout(binding = 0, scalar) uniform ViewBlock { View view; };
-layout(binding = 1, scalar) uniform LightBlock { Light lights[kLightsPerChunk]; };
+layout(binding = 1, scalar) uniform Lights { Light lights[kLightsPerChunk]; };
 layout(binding = 2, scalar) readonly buffer TileBounds { vec4 tile_bounds[]; }; // 2 a tile: centre, radius; farthest, -, -, -
 layout(binding = 3, scalar) writeonly buffer Masks { uint mask_of[]; };
 layout(binding = 4, scalar) buffer Groups { TileGroups groups[]; };
 layout(binding = 5, scalar) buffer Lists { uint list[]; };
 layout(binding = 6, scalar) buffer Work { FrameWork work; };
-layout(binding = 7, scalar) uniform KeepBlock { Keep keeps[kLightsPerChunk]; };
+layout(binding = 7, scalar) uniform Keeps { Keep keeps[kLightsPerChunk]; };
 layout(binding = 8, scalar) buffer Entries { uint pages_used; uint unused; uvec2 entries[]; };
 layout(binding = 9, scalar) readonly buffer Changed { uint changed_at[]; };
 layout(push_constant, scalar) uniform Push { CullPush p; };

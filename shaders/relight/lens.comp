@@ -11,7 +11,7 @@
 #include "shared/glare.h"
 
 layout(local_size_x = 8, local_size_y = 4) in;
-layout(binding = 1, scalar) uniform LensBlock { Lens lenses[kLensesPerChunk]; };
+layout(binding = 1, scalar) uniform Lenses { Lens lenses[kLensesPerChunk]; };
 layout(binding = 2, scalar) readonly buffer List { uint list[]; };
 layout(binding = 3, rgba32f) readonly uniform image2DArray places; // position, coverage
 layout(binding = 4, rgba16f) uniform image2DArray frame;           // layer 0

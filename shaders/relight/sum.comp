@@ -12,7 +12,7 @@ layout(binding = 0, rgba16f) readonly uniform image2DArray base;  // the picture
 layout(binding = 1, rgba16f) readonly uniform image2DArray drawn; // lights drawn just now: layer 0 surfaces, layer 1 haze
 layout(binding = 2, rgba32ui) uniform uimage2DArray kept;
 layout(binding = 3, scalar) readonly buffer TileList { uint tile_list[]; };
-layout(binding = 4, scalar) uniform AddendBlock { Addend addends[kMostAddends]; };
+layout(binding = 4, scalar) uniform Addends { Addend addends[kMostAddends]; };
 layout(binding = 5, rgba16f) writeonly uniform image2DArray frame;
 layout(binding = 6, rgba32ui) uniform uimage2DArray coarse; // instead of the frame (shared/coarse.h)
 layout(push_constant, scalar) uniform Push { SumPush p; };

@@ -19,7 +19,7 @@
 
 layout(local_size_x = 16, local_size_y = 8) in;
 layout(binding = 1, scalar) uniform ViewBlock { View view; };
-layout(binding = 2, scalar) uniform LightBlock { Light lights[kLightsPerChunk]; };
+layout(binding = 2, scalar) uniform Lights { Light lights[kLightsPerChunk]; };
 layout(binding = 3, scalar) readonly buffer Masks { uint mask_of[]; };
 layout(binding = 4, scalar) readonly buffer Lists { uint list[]; };
 layout(binding = 5, rgba32f) readonly uniform image2DArray places;

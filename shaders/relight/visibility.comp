@@ -12,7 +12,7 @@
 
 layout(local_size_x = 128) in;
 layout(binding = 0, scalar) uniform ViewBlock { View view; };
-layout(binding = 1, scalar) uniform LightBlock { Light lights[kLightsPerChunk]; };
+layout(binding = 1, scalar) uniform Lights { Light lights[kLightsPerChunk]; };
 layout(binding = 2, scalar) readonly buffer Masks { uint mask_of[]; };
 layout(binding = 3, scalar) readonly buffer Lists { uint list[]; };
 layout(binding = 6, rgba32f) readonly uniform image2DArray places;

@@ -27,29 +27,29 @@ constexpr std::uint64_t kUniformBytes = 64 * 1024; // what every desktop device 
 } // namespace
 
 Binding uniform(const Buffer& buffer, std::uint64_t offset) {
-    return {VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, &buffer, nullptr, offset};
+    return {VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, buffer, offset};
 }
 Binding storage(const Buffer& buffer) {
-    return {VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, &buffer, nullptr, 0};
+    return {VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, buffer, 0};
 }
 Binding sampled(const Texture& texture) {
-    return {VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, nullptr, &texture, 0};
+    return {VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, texture};
 }
 Binding stored(const Texture& texture) {
-    return {VK_DESCRIPTOR_TYPE_STORAGE_IMAGE, nullptr, &texture, 0};
+    return {VK_DESCRIPTOR_TYPE_STORAGE_IMAGE, texture};
 }
 
 void push_bindings(const Device& device, VkCommandBuffer commands, VkPipelineBindPoint point,
                    VkPipelineLayout layout, std::string_view shader,
                    const std::vector<VkDescriptorType>& types, const std::vector<Binding>& bindings) {
-    if (bindings.size() != types.size())
+    if (bindings.size() < types.size())
         refuse_bindings(shader, std::to_string(bindings.size()) + " bindings, it has " +
                                     std::to_string(types.size()));
-    std::vector<VkDescriptorBufferInfo> buffers(bindings.size());
-    std::vector<VkDescriptorImageInfo> images(bindings.size());
+    std::vector<VkDescriptorBufferInfo> buffers(types.size());
+    std::vector<VkDescriptorImageInfo> images(types.size());
     std::vector<VkWriteDescriptorSet> writes;
-    writes.reserve(bindings.size());
-    for (std::size_t i = 0; i < bindings.size(); ++i) {
+    writes.reserve(types.size());
+    for (std::size_t i = 0; i < types.size(); ++i) {
         const Binding& binding = bindings[i];
         if (types[i] == kNoBinding) continue;
         if (binding.type != types[i])

@@ -18,9 +18,14 @@ namespace ghost::gpu {
 class Buffer;
 class Texture;
 
-// What a shader finds at binding number i of set 0.
+// What a shader finds at a binding of set 0. There is no empty one, so that a shader's <Name>Bindings
+// (cmake/embed.cmake) compile only with every member given.
 struct Binding {
-    VkDescriptorType type = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
+    Binding(VkDescriptorType kind, const Buffer& at, std::uint64_t at_offset)
+        : type(kind), buffer(&at), offset(at_offset) {}
+    Binding(VkDescriptorType kind, const Texture& at) : type(kind), texture(&at) {}
+
+    VkDescriptorType type;
     const Buffer* buffer = nullptr;
     const Texture* texture = nullptr;
     std::uint64_t offset = 0; // into the buffer
@@ -30,8 +35,9 @@ Binding storage(const Buffer& buffer);
 Binding sampled(const Texture& texture);
 Binding stored(const Texture& texture);
 
-// Pushes the bindings 0, 1, .. of set 0 at a pipeline; types: as its shaders bind them (bindings_of). Others
-// than these are a bug of ours and end the program with the shader's name.
+// Pushes the bindings 0, 1, .. of set 0 at a pipeline; types: as its shaders bind them (bindings_of), without
+// those that glslc took out as unused. Fewer or others are a bug of ours and end the program with the
+// shader's name.
 void push_bindings(const Device& device, VkCommandBuffer commands, VkPipelineBindPoint point,
                    VkPipelineLayout layout, std::string_view shader,
                    const std::vector<VkDescriptorType>& types, const std::vector<Binding>& bindings);
@@ -97,7 +103,8 @@ public:
     Commands& operator=(const Commands&) = delete;
 
     void begin();
-    // push: at most 128 bytes; bindings: as the program declares them; groups: workgroups in x, y.
+    // push: at most 128 bytes; bindings: as the program declares them, best by name as its <Name>Bindings;
+    // groups: workgroups in x, y.
     template <class Push>
     void dispatch(const Program& program, const Push& push, const std::vector<Binding>& bindings,
                   std::uint32_t groups_x, std::uint32_t groups_y = 1) {

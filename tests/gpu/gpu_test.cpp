@@ -13,6 +13,7 @@
 #include <cstring>
 #include <gtest/gtest.h>
 #include <numeric>
+#include <type_traits>
 
 namespace ghost::gpu {
 namespace {
@@ -199,6 +200,9 @@ TEST_F(Gpu, AProgramThatIsMadeAgainHasItsPipeline) {
     EXPECT_EQ(own.validation_errors(), 0u);
 }
 
+// As a member of a shader's bindings it cannot be left out.
+static_assert(!std::is_default_constructible_v<Binding> && !std::is_aggregate_v<Binding>);
+
 // A binding that is forgotten, or of another kind, ends the program at once, with the name of the shader.
 TEST_F(Gpu, WrongBindingsAreNamed) {
     // A fork of the device's threads can inherit a lock that nobody gives back: the test starts itself anew instead.
@@ -211,6 +215,8 @@ TEST_F(Gpu, WrongBindingsAreNamed) {
     EXPECT_DEATH(commands.dispatch(program, 0, {uniform(buffer)}, 1),
                  "shader reader is given a binding 0 of another kind");
     commands.dispatch(program, 0, {storage(buffer)}, 1);
+    // One more is what glslc took out of the shader as unused.
+    commands.dispatch(program, 0, {storage(buffer), uniform(buffer)}, 1);
     commands.submit_and_wait();
     EXPECT_EQ(device().validation_errors(), 0u);
 }

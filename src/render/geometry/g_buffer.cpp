@@ -349,11 +349,12 @@ void GBuffer::draw_meshes(const StageModel& model, std::span<const StageModel::D
             raster = &raster_for(surface);
             gpu::use_raster(commands_, *raster);
             gpu::use_bindings(commands_, device_, *raster,
-                              {gpu::sampled(model.texture(surface.texture[0])),
-                               gpu::sampled(model.texture(surface.texture[1])),
-                               gpu::sampled(model.texture(surface.texture[2])),
-                               gpu::sampled(model.texture(surface.texture[3])),
-                               gpu::uniform(model.materials(), surface.offset)});
+                              shaders::GBufferFragBindings{
+                                  .base_texture = gpu::sampled(model.texture(surface.texture[0])),
+                                  .normal_texture = gpu::sampled(model.texture(surface.texture[1])),
+                                  .surface_texture = gpu::sampled(model.texture(surface.texture[2])),
+                                  .emission_texture = gpu::sampled(model.texture(surface.texture[3])),
+                                  .material = gpu::uniform(model.materials(), surface.offset)});
         }
         shared::MeshPush push{};
         const glm::mat4 mesh_to_clip = eye_to_clip * draw.to_eye;
@@ -386,23 +387,35 @@ void GBuffer::gather(const TileSet* tiles) {
         commands_.write(counts_, std::vector<shared::GatherCounts>{{{0, 1, 1}, 0, 0, 0, 0, 0}});
     }
     const Samples& shown = target().shown;
-    std::vector<gpu::Binding> bindings{
-        gpu::uniform(fragments_.view),  gpu::sampled(shown.depth),    gpu::sampled(shown.base),
-        gpu::sampled(shown.normal),     gpu::sampled(shown.emission), gpu::sampled(shown.metalness),
-        gpu::stored(fragments_.places), gpu::stored(diffuse_),        gpu::stored(specular_),
-        gpu::stored(normals_),          gpu::stored(fragments_.base), gpu::storage(fragments_.tile_bounds),
-        gpu::storage(rooms_),           gpu::storage(tile_list_)};
-    if (!pose_.single) // one sample is one fragment
-        bindings.insert(bindings.end(),
-                        {gpu::stored(fragments_.edges), gpu::storage(counts_), gpu::storage(block_list_)});
-    commands_.dispatch(gather_[pose_.single ? 1 : 0].get(), push, bindings, groups_x, groups_y);
+    commands_.dispatch(gather_[pose_.single ? 1 : 0].get(), push,
+                       shaders::GatherBindings{.view = gpu::uniform(fragments_.view),
+                                               .depths = gpu::sampled(shown.depth),
+                                               .bases = gpu::sampled(shown.base),
+                                               .normals = gpu::sampled(shown.normal),
+                                               .emissions = gpu::sampled(shown.emission),
+                                               .metals = gpu::sampled(shown.metalness),
+                                               .places = gpu::stored(fragments_.places),
+                                               .diffuse = gpu::stored(diffuse_),
+                                               .specular = gpu::stored(specular_),
+                                               .shown_normals = gpu::stored(normals_),
+                                               .base = gpu::stored(fragments_.base),
+                                               .tile_bounds = gpu::storage(fragments_.tile_bounds),
+                                               .rooms = gpu::storage(rooms_),
+                                               .tile_list = gpu::storage(tile_list_),
+                                               .edges = gpu::stored(fragments_.edges),
+                                               .counts = gpu::storage(counts_),
+                                               .block_list = gpu::storage(block_list_)},
+                       groups_x, groups_y);
     commands_.barrier();
     commands_.begin_span("blocks");
-    commands_.dispatch_indirect(block_bounds_, push,
-                                {gpu::uniform(fragments_.view), gpu::stored(fragments_.places),
-                                 gpu::storage(fragments_.tile_bounds), gpu::storage(counts_),
-                                 gpu::storage(block_list_)},
-                                tiles ? block_list_ : counts_, 0);
+    commands_.dispatch_indirect(
+        block_bounds_, push,
+        shaders::BlockBoundsBindings{.view = gpu::uniform(fragments_.view),
+                                     .places = gpu::stored(fragments_.places),
+                                     .tile_bounds = gpu::storage(fragments_.tile_bounds),
+                                     .counts = gpu::storage(counts_),
+                                     .block_list = gpu::storage(block_list_)},
+        tiles ? block_list_ : counts_, 0);
     commands_.barrier();
     commands_.copy(counts_, counts_read_, sizeof(shared::GatherCounts));
 }

@@ -41,7 +41,7 @@ void GridPass::record(gpu::Commands& commands, const LightChunk& chunk, const sh
     const Fragments& f = chunk.fragments;
     const gpu::Binding view = gpu::uniform(f.view),
                        lights = gpu::uniform(chunk.light_buffer, chunk.light_offset),
-                       fan = gpu::uniform(tables.fans, tables.fans_offset), places = gpu::stored(f.places),
+                       fans = gpu::uniform(tables.fans, tables.fans_offset), places = gpu::stored(f.places),
                        drawn = gpu::stored(chunk.drawn), table = gpu::sampled(tables.table),
                        shade = gpu::sampled(tables.shade), air = gpu::uniform(chunk.air);
     const std::uint32_t groups_x = gpu::groups(push.grid.columns, kGroupWidth),
@@ -50,21 +50,45 @@ void GridPass::record(gpu::Commands& commands, const LightChunk& chunk, const sh
     commands.write(left_, std::vector<shared::LeftHead>{{{0, 1, 1}, 0}});
     if (fill) {
         commands.dispatch(fill_[focus].get(), push,
-                          {view, lights, fan, places, gpu::stored(filled_), table, shade, air}, groups_x,
-                          groups_y);
+                          shaders::GridFillBindings{.view = view,
+                                                    .lights = lights,
+                                                    .fans = fans,
+                                                    .places = places,
+                                                    .grid = gpu::stored(filled_),
+                                                    .table = table,
+                                                    .shade = shade,
+                                                    .air = air},
+                          groups_x, groups_y);
         commands.barrier();
-        commands.dispatch(doubt_, push, {gpu::stored(filled_), gpu::stored(grid_)}, groups_x, groups_y);
+        commands.dispatch(
+            doubt_, push,
+            shaders::GridDoubtBindings{.filled = gpu::stored(filled_), .grid = gpu::stored(grid_)}, groups_x,
+            groups_y);
         commands.barrier();
     }
     commands.begin_span("haze look-up");
     commands.dispatch_indirect(look_up_, push,
-                               {view, lights, fan, places, gpu::sampled(grid_), gpu::storage(chunk.lists),
-                                drawn, gpu::storage(left_)},
+                               shaders::GridLookUpBindings{.view = view,
+                                                           .lights = lights,
+                                                           .fans = fans,
+                                                           .places = places,
+                                                           .grid = gpu::sampled(grid_),
+                                                           .lists = gpu::storage(chunk.lists),
+                                                           .drawn = drawn,
+                                                           .left = gpu::storage(left_)},
                                chunk.groups, chunk.haze_groups(push.gate.batch));
     commands.barrier();
     commands.begin_span("haze left");
     commands.dispatch_indirect(draw_left_[focus].get(), push,
-                               {view, lights, fan, places, drawn, table, shade, air, gpu::storage(left_)},
+                               shaders::GridLeftBindings{.view = view,
+                                                         .lights = lights,
+                                                         .fans = fans,
+                                                         .places = places,
+                                                         .drawn = drawn,
+                                                         .table = table,
+                                                         .shade = shade,
+                                                         .air = air,
+                                                         .left = gpu::storage(left_)},
                                left_, 0);
     commands.barrier();
 }

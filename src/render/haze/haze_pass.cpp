@@ -136,13 +136,18 @@ void HazePass::record_samples(gpu::Commands& commands, const LightChunk& chunk) 
         chunk.count(), 0, chunk.fragments.tiles_x, chunk.tiles(), chunk.fragments.blocks, march_steps, 0, 0};
     commands.begin_span("haze");
     for (push.batch = 0; push.batch < chunk.batches(); ++push.batch) {
-        commands.dispatch_indirect(samples_[chunk.beam_class].get(), push,
-                                   {gpu::sampled(chunk.gobos), gpu::uniform(chunk.fragments.view),
-                                    gpu::uniform(chunk.light_buffer, chunk.light_offset),
-                                    gpu::storage(chunk.masks), gpu::storage(chunk.lists),
-                                    gpu::stored(chunk.fragments.places), gpu::stored(chunk.drawn),
-                                    gpu::uniform(chunk.air), gpu::sampled(chunk.slides)},
-                                   chunk.groups, chunk.haze_groups(push.batch));
+        commands.dispatch_indirect(
+            samples_[chunk.beam_class].get(), push,
+            shaders::HazeBindings{.gobo_stack = gpu::sampled(chunk.gobos),
+                                  .view = gpu::uniform(chunk.fragments.view),
+                                  .lights = gpu::uniform(chunk.light_buffer, chunk.light_offset),
+                                  .masks = gpu::storage(chunk.masks),
+                                  .lists = gpu::storage(chunk.lists),
+                                  .fragments = gpu::stored(chunk.fragments.places),
+                                  .drawn = gpu::stored(chunk.drawn),
+                                  .air = gpu::uniform(chunk.air),
+                                  .slides = gpu::sampled(chunk.slides)},
+            chunk.groups, chunk.haze_groups(push.batch));
         commands.barrier();
     }
 }
@@ -217,17 +222,22 @@ void HazePass::record_gate(gpu::Commands& commands, const LightChunk& chunk) {
         const bool fill = fills.empty() || fills[first];
         commands.begin_span("fan");
         if (fill)
-            commands.dispatch(fill_[chunk.beam_class].get(), shared::FanPush{first},
-                              {gpu::sampled(chunk.gobos),
-                               gpu::uniform(chunk.light_buffer, chunk.light_offset),
-                               gpu::uniform(fans_, offset), gpu::stored(table_), gpu::sampled(chunk.slides)},
-                              (rows + kRowsPerGroup - 1) / kRowsPerGroup, lights);
+            commands.dispatch(
+                fill_[chunk.beam_class].get(), shared::FanPush{first},
+                shaders::FanBindings{.gobo_stack = gpu::sampled(chunk.gobos),
+                                     .lights = gpu::uniform(chunk.light_buffer, chunk.light_offset),
+                                     .fans = gpu::uniform(fans_, offset),
+                                     .table = gpu::stored(table_),
+                                     .slides = gpu::sampled(chunk.slides)},
+                (rows + kRowsPerGroup - 1) / kRowsPerGroup, lights);
         if (distances_ && fill)
-            commands.dispatch(*shade_fill_, shared::FanPush{first},
-                              {gpu::uniform(chunk.light_buffer, chunk.light_offset),
-                               gpu::uniform(fans_, offset), gpu::stored(shade_),
-                               gpu::sampled(distances_->texture())},
-                              shade_rows / kRowsPerGroup, lights);
+            commands.dispatch(
+                *shade_fill_, shared::FanPush{first},
+                shaders::FanShadeBindings{.lights = gpu::uniform(chunk.light_buffer, chunk.light_offset),
+                                          .fans = gpu::uniform(fans_, offset),
+                                          .shade = gpu::stored(shade_),
+                                          .distance_maps = gpu::sampled(distances_->texture())},
+                shade_rows / kRowsPerGroup, lights);
         commands.barrier();
         const std::uint32_t kind = shaped ? kOfPlaces : (focus ? 1u : 0u);
         if (record_grid(commands, chunk, push, fans[first], kind, offset)) continue;
@@ -236,12 +246,18 @@ void HazePass::record_gate(gpu::Commands& commands, const LightChunk& chunk) {
         gpu::LateProgram& panels = chunk.wide ? wide_panel_gate_ : panel_gate_;
         commands.dispatch_indirect(
             (chunk.beam_class == shared::kPanelClass ? panels : open).get(), push,
-            {gpu::uniform(chunk.fragments.view), gpu::uniform(chunk.light_buffer, chunk.light_offset),
-             gpu::uniform(fans_, offset), gpu::storage(chunk.masks), gpu::storage(chunk.lists),
-             gpu::stored(chunk.fragments.places), gpu::stored(chunk.drawn), gpu::sampled(table_),
-             gpu::sampled(shade_), gpu::uniform(chunk.air),
-             gpu::stored(chunk.wide ? chunk.wide->lonely() : no_lonely_),
-             gpu::stored(chunk.wide ? chunk.wide->rays() : no_rays_)},
+            shaders::GateBindings{.view = gpu::uniform(chunk.fragments.view),
+                                  .lights = gpu::uniform(chunk.light_buffer, chunk.light_offset),
+                                  .fans = gpu::uniform(fans_, offset),
+                                  .masks = gpu::storage(chunk.masks),
+                                  .lists = gpu::storage(chunk.lists),
+                                  .places = gpu::stored(chunk.fragments.places),
+                                  .drawn = gpu::stored(chunk.drawn),
+                                  .table = gpu::sampled(table_),
+                                  .shade = gpu::sampled(shade_),
+                                  .air = gpu::uniform(chunk.air),
+                                  .lonely = gpu::stored(chunk.wide ? chunk.wide->lonely() : no_lonely_),
+                                  .rays = gpu::stored(chunk.wide ? chunk.wide->rays() : no_rays_)},
             chunk.groups, chunk.haze_groups(push.batch));
         commands.barrier();
     }

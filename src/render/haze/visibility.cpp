@@ -84,7 +84,9 @@ void Visibility::begin_frame(gpu::Commands& commands, bool is_full) {
         const auto count = static_cast<std::uint32_t>(list.size());
         commands.write(tile_list_, list);
         commands.dispatch(touch_, shared::VisibilityTouchPush{count, f.tiles_x * f.tiles_y, now_},
-                          {gpu::storage(tile_list_), gpu::storage(rooms_), gpu::storage(changed_at_)},
+                          shaders::VisibilityTouchBindings{.tile_list = gpu::storage(tile_list_),
+                                                           .rooms = gpu::storage(rooms_),
+                                                           .changed = gpu::storage(changed_at_)},
                           gpu::groups(count, kGroup));
         commands.barrier();
     }

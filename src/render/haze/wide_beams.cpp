@@ -38,8 +38,10 @@ void WideBeams::prepare(gpu::Commands& commands, const Fragments& fragments, std
     step_ = step;
     commands.begin_span("lonely");
     commands.dispatch(prepare_, shared::WidePush{step},
-                      {gpu::uniform(fragments.view), gpu::stored(fragments.places), gpu::stored(weights_),
-                       gpu::stored(lonely_)},
+                      shaders::WidePrepareBindings{.view = gpu::uniform(fragments.view),
+                                                   .places = gpu::stored(fragments.places),
+                                                   .weights = gpu::stored(weights_),
+                                                   .lonely = gpu::stored(lonely_)},
                       fragments.tiles_x, fragments.tiles_y);
     commands.barrier();
 }
@@ -48,7 +50,9 @@ void WideBeams::spread(gpu::Commands& commands, const gpu::Texture& drawn) {
     const gpu::TextureShape& shape = weights_.shape();
     commands.begin_span("spread");
     commands.dispatch(
-        spread_, shared::WidePush{step_}, {gpu::stored(weights_), gpu::stored(rays_), gpu::stored(drawn)},
+        spread_, shared::WidePush{step_},
+        shaders::WideSpreadBindings{
+            .weights = gpu::stored(weights_), .rays = gpu::stored(rays_), .drawn = gpu::stored(drawn)},
         gpu::groups(shape.width, shared::kTileWidth), gpu::groups(shape.height, shared::kTileHeight));
     commands.barrier();
 }

@@ -128,11 +128,18 @@ shared::CoarsePush CoarseLight::push_of(std::uint32_t tiles_x, bool listed, std:
 void CoarseLight::record_points(gpu::Commands& commands, bool listed) {
     const std::uint32_t count = listed ? write_list(point_list_, stale_points_) : 0;
     commands.dispatch(make_points_, push_of(points_.tiles_x, listed, count),
-                      {gpu::uniform(points_.view), gpu::stored(g_buffer_.fragments().places),
-                       gpu::stored(g_buffer_.diffuse()), gpu::stored(g_buffer_.specular()),
-                       gpu::stored(g_buffer_.normals()), gpu::stored(points_.places), gpu::stored(diffuse_),
-                       gpu::stored(specular_), gpu::stored(normals_), gpu::stored(sums_),
-                       gpu::storage(points_.tile_bounds), gpu::storage(point_list_)},
+                      shaders::CoarsePointsBindings{.view = gpu::uniform(points_.view),
+                                                    .places = gpu::stored(g_buffer_.fragments().places),
+                                                    .diffuse = gpu::stored(g_buffer_.diffuse()),
+                                                    .specular = gpu::stored(g_buffer_.specular()),
+                                                    .normals = gpu::stored(g_buffer_.normals()),
+                                                    .point_places = gpu::stored(points_.places),
+                                                    .point_diffuse = gpu::stored(diffuse_),
+                                                    .point_specular = gpu::stored(specular_),
+                                                    .point_normals = gpu::stored(normals_),
+                                                    .sums = gpu::stored(sums_),
+                                                    .tile_bounds = gpu::storage(points_.tile_bounds),
+                                                    .tile_list = gpu::storage(point_list_)},
                       listed ? count : points_.tiles_x, listed ? 1 : points_.tiles_y);
     commands.barrier();
 }
@@ -142,10 +149,15 @@ void CoarseLight::record_cells(gpu::Commands& commands, bool listed) {
                         tiles_y = gpu::groups(points_.height + 1, shared::kTileHeight);
     const std::uint32_t count = listed ? write_list(cell_list_, stale_cells_) : 0;
     commands.dispatch(make_cells_, push_of(tiles_x, listed, count),
-                      {gpu::uniform(g_buffer_.fragments().view), gpu::stored(g_buffer_.fragments().places),
-                       gpu::stored(g_buffer_.diffuse()), gpu::stored(g_buffer_.specular()),
-                       gpu::stored(g_buffer_.normals()), gpu::stored(points_.places), gpu::stored(normals_),
-                       gpu::stored(cells_), gpu::storage(cell_list_)},
+                      shaders::CoarseCellsBindings{.view = gpu::uniform(g_buffer_.fragments().view),
+                                                   .places = gpu::stored(g_buffer_.fragments().places),
+                                                   .diffuse = gpu::stored(g_buffer_.diffuse()),
+                                                   .specular = gpu::stored(g_buffer_.specular()),
+                                                   .normals = gpu::stored(g_buffer_.normals()),
+                                                   .point_places = gpu::stored(points_.places),
+                                                   .point_normals = gpu::stored(normals_),
+                                                   .cells = gpu::stored(cells_),
+                                                   .tile_list = gpu::storage(cell_list_)},
                       listed ? count : tiles_x, listed ? 1 : tiles_y);
     commands.barrier();
 }
@@ -155,10 +167,17 @@ void CoarseLight::record_extras(gpu::Commands& commands, bool listed) {
     if (f.edge_count == 0) return;
     const std::uint32_t count = listed ? write_list(tile_list_, stale_tiles_) : f.edge_count;
     commands.dispatch(make_extras_, push_of(f.tiles_x, listed, count),
-                      {gpu::uniform(f.view), gpu::stored(f.places), gpu::stored(g_buffer_.diffuse()),
-                       gpu::stored(g_buffer_.specular()), gpu::stored(g_buffer_.normals()),
-                       gpu::stored(points_.places), gpu::stored(normals_), gpu::sampled(f.edges),
-                       gpu::stored(extras_), gpu::storage(tile_list_), gpu::storage(g_buffer_.rooms())},
+                      shaders::CoarseExtrasBindings{.view = gpu::uniform(f.view),
+                                                    .places = gpu::stored(f.places),
+                                                    .diffuse = gpu::stored(g_buffer_.diffuse()),
+                                                    .specular = gpu::stored(g_buffer_.specular()),
+                                                    .normals = gpu::stored(g_buffer_.normals()),
+                                                    .point_places = gpu::stored(points_.places),
+                                                    .point_normals = gpu::stored(normals_),
+                                                    .edges = gpu::sampled(f.edges),
+                                                    .extras = gpu::stored(extras_),
+                                                    .tile_list = gpu::storage(tile_list_),
+                                                    .rooms = gpu::storage(g_buffer_.rooms())},
                       listed ? count : gpu::groups(count, kEdgesPerGroup));
     commands.barrier();
 }
@@ -166,15 +185,22 @@ void CoarseLight::record_extras(gpu::Commands& commands, bool listed) {
 void CoarseLight::spread(gpu::Commands& commands, const gpu::Texture& frame) const {
     const Fragments& f = g_buffer_.fragments();
     commands.begin_span("light spread");
-    commands.dispatch(
-        spread_, 0u, {gpu::stored(sums_), gpu::stored(cells_), gpu::stored(f.base), gpu::stored(frame)},
-        gpu::groups(points_.width + 1, kSpreadSide), gpu::groups(points_.height + 1, kSpreadSide));
+    commands.dispatch(spread_, 0u,
+                      shaders::CoarseSpreadBindings{.sums = gpu::stored(sums_),
+                                                    .cells = gpu::stored(cells_),
+                                                    .base = gpu::stored(f.base),
+                                                    .frame = gpu::stored(frame)},
+                      gpu::groups(points_.width + 1, kSpreadSide),
+                      gpu::groups(points_.height + 1, kSpreadSide));
     commands.barrier();
     if (f.edge_count == 0) return;
     commands.begin_span("fold");
     commands.dispatch(fold_, push_of(f.tiles_x, false, f.edge_count),
-                      {gpu::stored(sums_), gpu::stored(cells_), gpu::sampled(f.edges), gpu::stored(extras_),
-                       gpu::stored(frame)},
+                      shaders::CoarseFoldBindings{.sums = gpu::stored(sums_),
+                                                  .cells = gpu::stored(cells_),
+                                                  .edges = gpu::sampled(f.edges),
+                                                  .extras = gpu::stored(extras_),
+                                                  .frame = gpu::stored(frame)},
                       gpu::groups(f.edge_count, kEdgesPerGroup));
     commands.barrier();
 }

@@ -137,10 +137,12 @@ std::uint32_t DirtyTiles::record(gpu::Commands& commands, const TileSet& stale) 
     commands.begin_span("mend");
     for (const bool blocks : {false, true}) {
         commands.write(wanted_, bits_of(blocks ? stale : around, words));
-        commands.dispatch(
-            program_, shared::ChangedBoundsPush{tiles, f.blocks, blocks ? 1u : 0u},
-            {gpu::storage(f.tile_bounds), gpu::storage(bounds_), gpu::storage(rooms_), gpu::storage(wanted_)},
-            (tiles + f.blocks + kBoundsGroup - 1) / kBoundsGroup);
+        commands.dispatch(program_, shared::ChangedBoundsPush{tiles, f.blocks, blocks ? 1u : 0u},
+                          shaders::ChangedBoundsBindings{.tile_bounds = gpu::storage(f.tile_bounds),
+                                                         .changed_bounds = gpu::storage(bounds_),
+                                                         .rooms = gpu::storage(rooms_),
+                                                         .wanted = gpu::storage(wanted_)},
+                          (tiles + f.blocks + kBoundsGroup - 1) / kBoundsGroup);
         commands.barrier();
     }
     commands.write(tiles_, stale.list());

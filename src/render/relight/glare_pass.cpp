@@ -108,22 +108,25 @@ void GlarePass::record(gpu::Commands& commands, const gpu::Texture& frame, float
     const auto down = [&](const gpu::Program& program, const gpu::Texture& fine, const gpu::Texture& coarse,
                           float by) {
         over(program, shared::GlareDownPush{fine.shape().width, fine.shape().height, by},
-             {gpu::stored(fine), gpu::stored(coarse)}, coarse.shape().width, coarse.shape().height);
+             shaders::GlareDownBindings{.fine = gpu::stored(fine), .coarse = gpu::stored(coarse)},
+             coarse.shape().width, coarse.shape().height);
     };
     const auto up = [&](const gpu::Texture& coarse, const gpu::Texture& fine, const gpu::Texture& sum,
                         float fine_weight, float coarse_weight) {
         const gpu::TextureShape& shape = sum.shape();
         over(*up_, shared::GlareUpPush{shape.width, shape.height, fine_weight, coarse_weight},
-             {gpu::stored(coarse), gpu::stored(fine), gpu::stored(sum)}, shape.width, shape.height);
+             shaders::GlareUpBindings{
+                 .coarse = gpu::stored(coarse), .fine = gpu::stored(fine), .sum = gpu::stored(sum)},
+             shape.width, shape.height);
     };
     commands.begin_span("glare");
     down(*down_[1], frame, levels_[0], scale);
     for (std::size_t k = 1; k < levels_.size(); ++k) down(*down_[0], levels_[k - 1], levels_[k], 1.0f);
     const gpu::TextureShape& shape = far_.shape();
-    commands.dispatch(*tail_,
-                      shared::GlareTailPush{texel_deg(levels_.size() - 1, pixels_per_rad), tail_weight_},
-                      {gpu::stored(levels_.back()), gpu::stored(far_)}, gpu::groups(shape.width, 8),
-                      gpu::groups(shape.height, 4));
+    commands.dispatch(
+        *tail_, shared::GlareTailPush{texel_deg(levels_.size() - 1, pixels_per_rad), tail_weight_},
+        shaders::GlareTailBindings{.from = gpu::stored(levels_.back()), .to = gpu::stored(far_)},
+        gpu::groups(shape.width, 8), gpu::groups(shape.height, 4));
     commands.barrier();
     const gpu::Texture* coarse = &far_;
     float coarse_weight = weights_.back();
@@ -140,7 +143,10 @@ void GlarePass::record(gpu::Commands& commands, const gpu::Texture& frame, float
 
 void GlarePass::see(gpu::Commands& commands, const gpu::Texture& frame) const {
     if (!on()) return;
-    commands.dispatch(*up_, last_up_, {gpu::stored(finest()), gpu::stored(frame), gpu::stored(seen_)},
+    commands.dispatch(*up_, last_up_,
+                      shaders::GlareUpBindings{.coarse = gpu::stored(finest()),
+                                               .fine = gpu::stored(frame),
+                                               .sum = gpu::stored(seen_)},
                       gpu::groups(last_up_.width, 2 * shared::kTileWidth),
                       gpu::groups(last_up_.height, 2 * shared::kTileHeight));
     commands.barrier();
@@ -148,11 +154,13 @@ void GlarePass::see(gpu::Commands& commands, const gpu::Texture& frame) const {
 
 void GlarePass::develop(gpu::Commands& commands, const gpu::Texture& frame, const gpu::Buffer& exposure,
                         const gpu::Texture& picture, std::uint32_t tone) {
-    commands.dispatch(
-        develop_[tone].get(), last_up_,
-        {gpu::stored(finest()), gpu::stored(frame), gpu::uniform(exposure), gpu::stored(picture)},
-        gpu::groups(last_up_.width, 2 * shared::kTileWidth),
-        gpu::groups(last_up_.height, 2 * shared::kTileHeight));
+    commands.dispatch(develop_[tone].get(), last_up_,
+                      shaders::GlareDevelopBindings{.coarse = gpu::stored(finest()),
+                                                    .fine = gpu::stored(frame),
+                                                    .exposure = gpu::uniform(exposure),
+                                                    .picture = gpu::stored(picture)},
+                      gpu::groups(last_up_.width, 2 * shared::kTileWidth),
+                      gpu::groups(last_up_.height, 2 * shared::kTileHeight));
     commands.barrier();
 }
 

@@ -57,9 +57,12 @@ void LedWallPass::record(gpu::Commands& commands, const Fragments& fragments,
                          const std::vector<shared::LedWall>& walls, const gpu::Texture& gobos,
                          const gpu::Texture& slides, const gpu::Texture& frame) {
     brightest_ = 0;
-    const std::vector<gpu::Binding> bindings{gpu::sampled(gobos),           gpu::uniform(fragments.view),
-                                             gpu::stored(fragments.places), gpu::stored(frame),
-                                             gpu::sampled(fragments.edges), gpu::sampled(slides)};
+    const shaders::LedWallBindings bindings{.gobo_stack = gpu::sampled(gobos),
+                                            .view = gpu::uniform(fragments.view),
+                                            .places = gpu::stored(fragments.places),
+                                            .frame = gpu::stored(frame),
+                                            .edges = gpu::sampled(fragments.edges),
+                                            .slides = gpu::sampled(slides)};
     for (const shared::LedWall& wall : walls) {
         glm::uvec2 low(0), high(0);
         if (!wall_in_view(wall, fragments.camera, low, high)) continue;

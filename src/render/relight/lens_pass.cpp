@@ -205,8 +205,12 @@ void LensPass::record(gpu::Commands& commands, const Fragments& fragments, const
         const shared::LensPush push{view.eye_m, blocks_x, view.width, view.height, chunk.first_block};
         commands.dispatch(
             program_[chunk.beam_class].get(), push,
-            {gpu::sampled(gobos), gpu::uniform(lenses_, chunk.first_lens * sizeof(shared::Lens)),
-             gpu::storage(list_), gpu::stored(fragments.places), gpu::stored(frame), gpu::sampled(slides)},
+            shaders::LensBindings{.gobo_stack = gpu::sampled(gobos),
+                                  .lenses = gpu::uniform(lenses_, chunk.first_lens * sizeof(shared::Lens)),
+                                  .list = gpu::storage(list_),
+                                  .places = gpu::stored(fragments.places),
+                                  .frame = gpu::stored(frame),
+                                  .slides = gpu::sampled(slides)},
             chunk.blocks);
         commands.barrier();
     }

@@ -507,14 +507,18 @@ void Relighter::develop(const scene::FrameLights& lit) {
     const gpu::Texture& seen = glare_.seen(frame_);
     const shared::MeterPush meter{f.width, f.height, settings_.ev100, settings_.auto_exposure ? 1u : 0u};
     commands_.begin_span("meter");
-    commands_.dispatch(meter_, meter, {gpu::stored(seen), gpu::storage(exposure_)}, 1);
+    commands_.dispatch(
+        meter_, meter,
+        shaders::MeterBindings{.frame = gpu::stored(seen), .exposure = gpu::storage(exposure_)}, 1);
     commands_.barrier();
     commands_.begin_span("develop");
     const auto tone = static_cast<std::uint32_t>(settings_.tone);
     if (sees) {
         commands_.dispatch(develop_[tone].get(), 0u,
-                           {gpu::stored(seen), gpu::uniform(exposure_), gpu::stored(picture_)}, f.tiles_x,
-                           f.tiles_y);
+                           shaders::DevelopBindings{.frame = gpu::stored(seen),
+                                                    .exposure = gpu::uniform(exposure_),
+                                                    .picture = gpu::stored(picture_)},
+                           f.tiles_x, f.tiles_y);
         commands_.barrier();
     } else {
         glare_.develop(commands_, frame_, exposure_, picture_, tone);

@@ -2,7 +2,15 @@
 // The part of Relighter that draws lights: a sum of the tree, its lights by chunks, their surfaces.
 #include "base/check.h"
 #include "render/relight/relighter.h"
+#include "shaders/bounce.h"
+#include "shaders/clear_tiles.h"
+#include "shaders/cull.h"
+#include "shaders/fold.h"
+#include "shaders/silhouettes.h"
 #include "shaders/sum.h"
+#include "shaders/surface.h"
+#include "shaders/surface_live.h"
+#include "shaders/visibility.h"
 #include "shared/figure.h"
 
 #include <algorithm>
@@ -45,10 +53,13 @@ void Relighter::clear_drawn() {
         listed > 0 ? listed : tiles + f.blocks, listed > 0 ? 1u : 0u, tiles, f.tiles_x, f.width, f.height};
     const std::uint32_t across = std::min(push.count, kGroupsAcross);
     commands_.barrier(); // earlier readers are done
-    commands_.dispatch(clear_, push,
-                       {gpu::storage(listed > 0 ? dirty_tiles_->drawn_tiles() : f.tile_bounds),
-                        gpu::storage(listed > 0 ? rooms() : f.tile_bounds), gpu::stored(drawn_)},
-                       across, gpu::groups(push.count, across));
+    commands_.dispatch(
+        clear_, push,
+        shaders::ClearTilesBindings{
+            .tile_list = gpu::storage(listed > 0 ? dirty_tiles_->drawn_tiles() : f.tile_bounds),
+            .rooms = gpu::storage(listed > 0 ? rooms() : f.tile_bounds),
+            .drawn = gpu::stored(drawn_)},
+        across, gpu::groups(push.count, across));
     commands_.barrier();
 }
 
@@ -93,15 +104,21 @@ void Relighter::draw_sum(const ImageSum& sum) {
         commands_.begin_span("fold");
         if (settings_.air && !std::exchange(silhouettes_known_, true)) {
             commands_.dispatch(silhouettes_, shared::FoldPush{f.edge_count, 0u},
-                               {gpu::uniform(f.view), gpu::sampled(f.edges), gpu::stored(f.places),
-                                gpu::stored(haze_sources_)},
+                               shaders::SilhouettesBindings{.view = gpu::uniform(f.view),
+                                                            .edges = gpu::sampled(f.edges),
+                                                            .places = gpu::stored(f.places),
+                                                            .sources = gpu::stored(haze_sources_)},
                                gpu::groups(f.edge_count, 64));
             commands_.barrier();
         }
         commands_.dispatch(fold_, shared::FoldPush{f.edge_count, mended_tiles_ > 0 ? 1u : 0u},
-                           {gpu::uniform(f.view), gpu::sampled(f.edges), gpu::stored(drawn_),
-                            gpu::stored(f.places), gpu::storage(g_buffer_ ? rooms() : f.tile_bounds),
-                            gpu::storage(tile_list), gpu::stored(haze_sources_)},
+                           shaders::FoldBindings{.view = gpu::uniform(f.view),
+                                                 .edges = gpu::sampled(f.edges),
+                                                 .drawn = gpu::stored(drawn_),
+                                                 .places = gpu::stored(f.places),
+                                                 .rooms = gpu::storage(g_buffer_ ? rooms() : f.tile_bounds),
+                                                 .tile_list = gpu::storage(tile_list),
+                                                 .sources = gpu::stored(haze_sources_)},
                            mended_tiles_ > 0 ? mended_tiles_ : gpu::groups(f.edge_count, 64));
         commands_.barrier();
     }
@@ -131,9 +148,13 @@ void Relighter::add_images(const ImageSum& sum) {
         (push.addend_count * sizeof(shared::Addend) + kChunkAlign - 1) / kChunkAlign * kChunkAlign;
     commands_.begin_span("add");
     commands_.dispatch(sum_of(parts, std::min(push.addend_count, shared::kManyAddends)), push,
-                       {gpu::stored(f.base), gpu::stored(drawn_), gpu::stored(kept_), gpu::storage(tile_list),
-                        gpu::uniform(addends_, offset), gpu::stored(frame_),
-                        gpu::stored(coarse_ ? coarse_->sums() : kept_)},
+                       shaders::SumBindings{.base = gpu::stored(f.base),
+                                            .drawn = gpu::stored(drawn_),
+                                            .kept = gpu::stored(kept_),
+                                            .tile_list = gpu::storage(tile_list),
+                                            .addends = gpu::uniform(addends_, offset),
+                                            .frame = gpu::stored(frame_),
+                                            .coarse = gpu::stored(coarse_ ? coarse_->sums() : kept_)},
                        (mended_tiles_ > 0 ? mended_tiles_ : f.tiles_x) * (coarse_ ? 2 : 1),
                        mended_tiles_ > 0 ? 1 : f.tiles_y);
     commands_.barrier();
@@ -183,15 +204,20 @@ bool Relighter::draw_lights(const std::vector<shared::Light>& lights, std::uint3
                     std::vector<shared::TileGroups>(
                         chunk.batches(), {{0, 1, 1, 0}, {0, 1, 1, 0}, {0, slices, 1, 0}, {0, 1, 1, 0}}));
     commands_.write(lists_, std::vector<std::uint32_t>(std::size_t{4} * chunk.batches()));
-    commands_.dispatch(cull_, cull,
-                       {gpu::uniform(f.view), gpu::uniform(lights_, offset),
-                        gpu::storage(mended_tiles_ > 0 ? dirty_tiles_->bounds() : f.tile_bounds),
-                        gpu::storage(masks_), gpu::storage(groups_), gpu::storage(lists_),
-                        gpu::storage(work_),
-                        gpu::uniform(visibility_ ? visibility_->keeps() : nothing_, kept.offset),
-                        gpu::storage(visibility_ ? visibility_->entries() : nothing_),
-                        gpu::storage(visibility_ ? visibility_->changed_at() : nothing_)},
-                       gpu::groups(chunk.tiles() + f.blocks, 64), chunk.batches());
+    commands_.dispatch(
+        cull_, cull,
+        shaders::CullBindings{
+            .view = gpu::uniform(f.view),
+            .lights = gpu::uniform(lights_, offset),
+            .tile_bounds = gpu::storage(mended_tiles_ > 0 ? dirty_tiles_->bounds() : f.tile_bounds),
+            .masks = gpu::storage(masks_),
+            .groups = gpu::storage(groups_),
+            .lists = gpu::storage(lists_),
+            .work = gpu::storage(work_),
+            .keeps = gpu::uniform(visibility_ ? visibility_->keeps() : nothing_, kept.offset),
+            .entries = gpu::storage(visibility_ ? visibility_->entries() : nothing_),
+            .changed = gpu::storage(visibility_ ? visibility_->changed_at() : nothing_)},
+        gpu::groups(chunk.tiles() + f.blocks, 64), chunk.batches());
     commands_.barrier();
     if (settings_.air) haze_.record(commands_, chunk);
     if (!settings_.surfaces) return true;
@@ -205,32 +231,45 @@ void Relighter::record_surfaces(const LightChunk& chunk, std::uint64_t keeps_off
     if (passes_.bounces.bytes() > 0) {
         commands_.begin_span("bounces");
         commands_.dispatch(bounce_, shared::BouncePush{chunk.count()},
-                           {gpu::uniform(f.view), gpu::uniform(lights_, chunk.light_offset),
-                            gpu::stored(f.places), gpu::stored(passes_.bounces), gpu::stored(drawn_)},
+                           shaders::BounceBindings{.view = gpu::uniform(f.view),
+                                                   .lights = gpu::uniform(lights_, chunk.light_offset),
+                                                   .fragments = gpu::stored(f.places),
+                                                   .bounces = gpu::stored(passes_.bounces),
+                                                   .drawn = gpu::stored(drawn_)},
                            f.tiles_x, f.tiles_y);
         commands_.barrier();
     }
-    std::vector<gpu::Binding> bindings{gpu::sampled(gobos_),
-                                       gpu::uniform(f.view),
-                                       gpu::uniform(lights_, chunk.light_offset),
-                                       gpu::storage(masks_),
-                                       gpu::storage(lists_),
-                                       gpu::stored(f.places),
-                                       gpu::stored(drawn_),
-                                       gpu::stored(coarse_     ? coarse_->diffuse()
-                                                   : g_buffer_ ? g_buffer_->diffuse()
-                                                               : passes_.radiance)};
+    std::vector<gpu::Binding> bindings;
     if (g_buffer_)
-        bindings.insert(bindings.end(),
-                        {gpu::sampled(distances_ ? distances_->texture() : gobos_),
-                         gpu::stored(coarse_ ? coarse_->specular() : g_buffer_->specular()),
-                         gpu::stored(normals()), gpu::uniform(air_),
-                         gpu::sampled(distances_ ? distances_->blockers() : gobos_), gpu::sampled(slides_),
-                         gpu::uniform(visibility_ ? visibility_->keeps() : nothing_, keeps_offset),
-                         gpu::storage(visibility_ ? visibility_->entries() : nothing_),
-                         gpu::stored(visibility_ ? visibility_->pages() : no_pages_)});
+        bindings = shaders::SurfaceLiveBindings{
+            .gobo_stack = gpu::sampled(gobos_),
+            .view = gpu::uniform(f.view),
+            .lights = gpu::uniform(lights_, chunk.light_offset),
+            .masks = gpu::storage(masks_),
+            .lists = gpu::storage(lists_),
+            .places = gpu::stored(f.places),
+            .drawn = gpu::stored(drawn_),
+            .diffuse = gpu::stored(coarse_ ? coarse_->diffuse() : g_buffer_->diffuse()),
+            .distance_maps = gpu::sampled(distances_ ? distances_->texture() : gobos_),
+            .specular = gpu::stored(coarse_ ? coarse_->specular() : g_buffer_->specular()),
+            .normals = gpu::stored(normals()),
+            .air = gpu::uniform(air_),
+            .blockers = gpu::sampled(distances_ ? distances_->blockers() : gobos_),
+            .slides = gpu::sampled(slides_),
+            .keeps = gpu::uniform(visibility_ ? visibility_->keeps() : nothing_, keeps_offset),
+            .entries = gpu::storage(visibility_ ? visibility_->entries() : nothing_),
+            .pages = gpu::stored(visibility_ ? visibility_->pages() : no_pages_)};
     else
-        bindings.insert(bindings.end(), {gpu::uniform(air_), gpu::sampled(slides_)});
+        bindings = shaders::SurfaceBindings{.gobo_stack = gpu::sampled(gobos_),
+                                            .view = gpu::uniform(f.view),
+                                            .lights = gpu::uniform(lights_, chunk.light_offset),
+                                            .masks = gpu::storage(masks_),
+                                            .lists = gpu::storage(lists_),
+                                            .fragments = gpu::stored(f.places),
+                                            .drawn = gpu::stored(drawn_),
+                                            .passes = gpu::stored(passes_.radiance),
+                                            .air = gpu::uniform(air_),
+                                            .slides = gpu::sampled(slides_)};
     const bool thin = std::any_of(chunk.lights.begin(), chunk.lights.end(),
                                   [&](const shared::Light& light) { return may_be_thin(light, f); });
     shared::RelightPush push{
@@ -240,11 +279,17 @@ void Relighter::record_surfaces(const LightChunk& chunk, std::uint64_t keeps_off
             commands_.begin_span("visibility");
             commands_.dispatch_indirect(
                 visible_.get(), push,
-                {gpu::uniform(f.view), gpu::uniform(lights_, chunk.light_offset), gpu::storage(masks_),
-                 gpu::storage(lists_), gpu::sampled(distances_->texture()),
-                 gpu::sampled(distances_->blockers()), gpu::stored(f.places), gpu::stored(normals()),
-                 gpu::uniform(visibility_->keeps(), keeps_offset), gpu::storage(visibility_->entries()),
-                 gpu::stored(visibility_->pages())},
+                shaders::VisibilityBindings{.view = gpu::uniform(f.view),
+                                            .lights = gpu::uniform(lights_, chunk.light_offset),
+                                            .masks = gpu::storage(masks_),
+                                            .lists = gpu::storage(lists_),
+                                            .distance_maps = gpu::sampled(distances_->texture()),
+                                            .blockers = gpu::sampled(distances_->blockers()),
+                                            .places = gpu::stored(f.places),
+                                            .normals = gpu::stored(normals()),
+                                            .keeps = gpu::uniform(visibility_->keeps(), keeps_offset),
+                                            .entries = gpu::storage(visibility_->entries()),
+                                            .pages = gpu::stored(visibility_->pages())},
                 groups_, chunk.made_groups(push.batch));
             commands_.barrier();
         }

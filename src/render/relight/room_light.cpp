@@ -75,21 +75,23 @@ void RoomLight::record(gpu::Commands& commands, const GBuffer& g_buffer, bool as
     if (!as_lux) {
         commands.begin_span("glow");
         commands.dispatch(
-            glow_program_.get(), push, {gpu::uniform(f.view), gpu::sampled(glow_), gpu::stored(slices_)},
+            glow_program_.get(), push,
+            shaders::GlowBindings{
+                .view = gpu::uniform(f.view), .glow = gpu::sampled(glow_), .slices = gpu::stored(slices_)},
             gpu::groups(push.glow_width, kRoomGroup), gpu::groups(push.glow_height, kRoomGroup));
         commands.barrier();
     }
     commands.begin_span("room light");
-    const std::vector<gpu::Binding> bindings{gpu::uniform(f.view),
-                                             gpu::stored(f.places),
-                                             gpu::stored(g_buffer.normals()),
-                                             gpu::stored(g_buffer.diffuse()),
-                                             gpu::stored(g_buffer.specular()),
-                                             gpu::sampled(f.edges),
-                                             gpu::sampled(surfaces_),
-                                             gpu::sampled(air_),
-                                             gpu::sampled(slices_),
-                                             gpu::stored(frame)};
+    const shaders::RoomLightBindings bindings{.view = gpu::uniform(f.view),
+                                              .places = gpu::stored(f.places),
+                                              .normals = gpu::stored(g_buffer.normals()),
+                                              .diffuse = gpu::stored(g_buffer.diffuse()),
+                                              .specular = gpu::stored(g_buffer.specular()),
+                                              .edges = gpu::sampled(f.edges),
+                                              .surfaces = gpu::sampled(surfaces_),
+                                              .air = gpu::sampled(air_),
+                                              .slices = gpu::sampled(slices_),
+                                              .frame = gpu::stored(frame)};
     commands.dispatch(program_.get(), push, bindings, gpu::groups(f.width, kRoomGroup),
                       gpu::groups(f.height, kRoomGroup));
     commands.barrier();
