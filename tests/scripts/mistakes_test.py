@@ -179,12 +179,16 @@ def by_explain(stage, outcome, words):
 def by_monitor(stage, outcome, words):
     stage.monitor()
     stage.send()
-    end, found, report = time.monotonic() + LIMIT_S, None, None
+    end, first, found, report = time.monotonic() + LIMIT_S, None, None, None
     while not found and time.monotonic() < end:
         time.sleep(0.2)
         assert stage.running.poll() is None, stage.errors.read_text()
         for report in stage.reports()[-1:]:
             found = next((s for s in report["diagnosis"] if s["trouble"] == outcome.wanted), None)
+        if found and first is None:
+            first = time.monotonic()
+        if found and wanting(found["text"], words) and time.monotonic() < first + stage.setup["patience_s"]:
+            found = None
     if not found:
         outcome.named = ", ".join(problems(report)) if report else "nothing"
         outcome.text = "; ".join(sentence["text"] for sentence in report["diagnosis"]) if report else ""
