@@ -254,7 +254,7 @@ WELL = [
     ("two desks that share a universe, and each chases its channels",
      {"send": [sacn(levels=OPEN, chases=[30, 31]), sacn(levels={}, chases=[32, 33], chase_begins=7, name="Second", cid=2)]}),
     ("a backup that follows a chase, 50 ms behind",
-     {"send": [sacn(levels={1: 255, 12: 255}, chases=[40, 41, 42, 43]), sacn(levels={1: 255, 12: 255}, chases=[40, 41, 42, 43], chase_begins=38, name="Backup", cid=2)]}),
+     {"send": [sacn(levels=OPEN, chases=[40, 41, 42, 43]), sacn(levels=OPEN, chases=[40, 41, 42, 43], chase_begins=38, name="Backup", cid=2)]}),
     ("an equal backup 50 ms behind while all flash in turn, 20 times a second", {"send": [sacn(levels=OPEN, chases=[40, 41], chase_step=1), sacn(levels=OPEN, chases=[40, 41], chase_step=1, name="Backup", cid=2, chase_begins=-2)]}),
     ("two operators that bump the same lamp now and then", {"send": [sacn(levels=OPEN, chases=[40, 41, 42, 43], chase_step=30), sacn(levels=OPEN, chases=[40, 44, 45, 43, 46], chase_step=35, name="Second", cid=2)]}),
     ("two desks that share a universe, each with channels of its own",
