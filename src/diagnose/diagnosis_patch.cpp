@@ -91,8 +91,9 @@ std::string exchanged_text(const Arriving& arriving, const std::set<int>& sacn,
         const bool certain =
             listed != arriving.listed.end() && listed->second.who == arriving.universes.at(from);
         return "; " + std::to_string(from) + " is " + std::to_string(to) + " with its two bytes exchanged: " +
-               (certain ? "the sender writes universe numbers in the wrong order of bytes"
-                        : "if that is meant, the sender writes them in the wrong order");
+               (certain ? std::string("the sender writes universe numbers in the wrong order of bytes")
+                        : std::string("if that is meant, the sender writes them in the wrong order") +
+                              kOrAnother);
     }
     return "";
 }
@@ -212,7 +213,7 @@ void add_patch(const dmx::Statistics& statistics, const Arriving& arriving, cons
     if (const auto sacn = arriving.by_protocol.find(dmx::Protocol::sacn); sacn != arriving.by_protocol.end())
         exchanged = exchanged_text(arriving, sacn->second, missing);
     text += exchanged;
-    if (!wanted.empty() && !exchanged.ends_with("of bytes")) text += kOrAnother;
+    if (!wanted.empty() && exchanged.empty()) text += kOrAnother;
     out.push_back(wanted.empty() ? note(Trouble::not_patched, text)
                                  : problem(Trouble::not_patched, text, wanted));
 }

@@ -227,7 +227,7 @@ void add_nothing(const dmx::Statistics& statistics, const Arriving& arriving, co
             "' shows packets to an address of ours, to its broadcast or to the group of a universe of ours "
             "(239.255.0.1, ff18::.. for 1), a firewall or the "
             "reverse path filter of this machine drops them, or their sender has an address of ours; to "
-            "another broadcast, the masks differ; where "
+            "another broadcast, the masks differ; to another group, it is another universe; where "
             "it "
             "shows none at all, they do not get here: a cable, another VLAN, a switch that holds multicast "
             "back (IGMP snooping without a querier), or a desk that is silent";

@@ -199,20 +199,26 @@ void add_given_away(const dmx::Statistics& statistics, const PatchMap& patch, Se
         if (!source.per_address_priority || source.bad_priorities > 0 || !source.slots ||
             source.state != dmx::SourceState::live)
             continue;
-        std::uint64_t patched = 0, given = 0;
+        // Most desks give nothing away, or only what nobody patched: then nobody else is asked.
         const int last = std::min<int>(source.slot_count, source.priority_count);
-        for (int address = 1; address <= last; ++address) {
-            if (patch.at(source.universe, address).empty()) continue;
-            ++patched;
-            const auto slot = static_cast<std::size_t>(address - 1);
-            given += std::none_of(statistics.sources.begin(), statistics.sources.end(),
-                                  [&](const dmx::SourceStatus& one) {
-                                      return one.universe == source.universe &&
-                                             (!one.slots || one.slots->rank[slot] > 0);
-                                  })
-                         ? 1
-                         : 0;
-        }
+        std::vector<int> without; // a holder of their own, and patched
+        for (int address = 1; address <= last; ++address)
+            if (source.slots->rank[static_cast<std::size_t>(address - 1)] == 0 &&
+                !patch.at(source.universe, address).empty())
+                without.push_back(address);
+        if (without.empty()) continue;
+        Sources others;
+        for (const dmx::SourceStatus& one : statistics.sources)
+            if (one.universe == source.universe && &one != &source) others.push_back(&one);
+        const auto given =
+            static_cast<std::uint64_t>(std::count_if(without.begin(), without.end(), [&](int address) {
+                return std::none_of(others.begin(), others.end(), [&](const dmx::SourceStatus* one) {
+                    return !one->slots || one->slots->rank[static_cast<std::size_t>(address - 1)] > 0;
+                });
+            }));
+        std::uint64_t patched = 0;
+        for (int address = 1; given > 0 && address <= last; ++address)
+            patched += patch.at(source.universe, address).empty() ? 0 : 1;
         if (given == 0) continue;
         const std::string text = source_text(source) + " gives " + std::to_string(given) + " of " +
                                  count_text(patched, "patched channel") + " on universe " +
