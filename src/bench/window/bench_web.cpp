@@ -26,7 +26,7 @@ using namespace std::chrono_literals;
 
 constexpr double kSettle_s = 0.5, kTurn_s = 2;
 constexpr double kSlowTurn_s = 8; // of a row with a viewer that falls behind
-constexpr int kSlowPairs = 3;
+constexpr int kFewestSlowPairs = 3;
 constexpr double kFromShare = 0.2, kToShare = 0.8; // of the recording, where turns begin
 constexpr double kOpen_s = 120, kRest_s = 300;
 constexpr double kRestingShare = 0.1; // of a processor, by a process that has nothing left to do
@@ -246,7 +246,7 @@ Result<void> bench_web(const BenchOptions& options, const BenchSink& sink) {
     const int pairs = std::max(options.frames / 2, 1);
     for (const int viewers : {1, 5, static_cast<int>(web::kMostViewers)})
         TRY_VOID(measure(*served, viewers, pairs, kTurn_s, 0, sink));
-    return measure(*served, 6, kSlowPairs, kSlowTurn_s, kSlow_bytes_per_s, sink);
+    return measure(*served, 6, std::max(pairs / 4, kFewestSlowPairs), kSlowTurn_s, kSlow_bytes_per_s, sink);
 }
 
 } // namespace ghost::app

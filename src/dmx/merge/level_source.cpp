@@ -14,6 +14,7 @@ constexpr double kEnoughPackets = 8;             // a desk at rest sends one a s
 constexpr double kMostGaps = 0.5;                // of its packets; a network that loses as many is hardly one
 constexpr std::chrono::seconds kMostSlotsFor{3}; // senders mix whole and short packets
 constexpr int kMostUndecided = 5;                // windows
+constexpr double kBesideKept = 0.75;             // a window
 constexpr double kTwoRows = 2;                   // far steps back in a second; who begins anew takes one
 
 std::chrono::nanoseconds loss_after(Protocol protocol) {
@@ -53,10 +54,11 @@ std::string source_id(const SourceKey& key) {
     return text;
 }
 
-LevelSource::LevelSource(const Packet& first, bool joined, std::chrono::nanoseconds now)
+LevelSource::LevelSource(const Packet& first, bool joined, std::shared_ptr<std::uint64_t> sent,
+                         std::chrono::nanoseconds now)
     : key_(first.source), from_(first.from), interface_index_(first.interface_index),
-      priority_(first.priority), joined_(joined), first_heard_(now), last_levels_(now), last_way_(now),
-      window_start_(now) {}
+      priority_(first.priority), sent_(std::move(sent)), sent_before_(*sent_), joined_(joined),
+      first_heard_(now), last_levels_(now), last_way_(now), window_start_(now) {}
 
 std::chrono::nanoseconds LevelSource::expires() const {
     return last_levels_ + loss_after(key_.protocol);
@@ -136,6 +138,8 @@ bool LevelSource::may_be_lost(unsigned missed, bool began_anew, std::chrono::nan
 // Art-Net numbers 1..255 and 0 means "not numbered"; senders that wrap through 0 exist, so a 0 is accepted
 // and not remembered.
 std::optional<unsigned> LevelSource::in_sequence(const Packet& packet, std::chrono::nanoseconds now) {
+    const auto elsewhere = static_cast<double>(*sent_ - std::exchange(sent_before_, *sent_ + 1));
+    ++*sent_;
     if (packet.protocol == Protocol::usb) return 0; // a cable keeps the order
     const bool turned = packet.protocol == Protocol::artnet && turns_back(packet);
     if (packet.protocol == Protocol::artnet && packet.sequence == 0) {
@@ -147,7 +151,11 @@ std::optional<unsigned> LevelSource::in_sequence(const Packet& packet, std::chro
     note_rows(packet, turned || !missed || sequence_.stepped_back(), now);
     if (missed) {
         missed_ += *missed;
-        window_.missed += may_be_lost(*missed, by_other_port, now) ? *missed : 0;
+        if (may_be_lost(*missed, by_other_port, now)) {
+            window_.missed += *missed;
+            window_.beyond += std::max(0.0, *missed - elsewhere);
+        }
+        if (elsewhere > 0) ++(*missed > 0 ? gaps_beside_ : none_beside_);
         window_.odd += *missed > 0 || sequence_.stepped_back() ? 1 : 0;
         window_.back += sequence_.stepped_back() ? 1 : 0;
     } else {
@@ -245,14 +253,17 @@ void LevelSource::measure_rate(std::chrono::nanoseconds now) {
     if (window_.packets >= kEnoughPackets) has_gaps_ = window_.odd > kMostGaps * window_.packets;
     // What two senders in one row of numbers seem to miss is not lost; what is not known yet waits.
     const bool two = window_.back >= kTwoRows || (rows_ && rows_->are_two(now));
-    if (!has_gaps_ && !two && window_.missed > window_.swapped)
-        pending_lost_ += static_cast<std::uint64_t>(window_.missed - window_.swapped);
+    const double missed = gaps_beside_ > none_beside_ ? window_.beyond : window_.missed;
+    if (!has_gaps_ && !two && missed > window_.swapped)
+        pending_lost_ += static_cast<std::uint64_t>(missed - window_.swapped);
     if (two) pending_lost_ = 0;
     undecided_windows_ = rows_ && rows_->undecided() ? undecided_windows_ + 1 : 0;
     if (undecided_windows_ % kMostUndecided == 0) lost_ += std::exchange(pending_lost_, 0);
     rates_hz_ = {.packets = window_.packets / window_s, .late = window_.late / window_s};
     window_ = {};
     window_start_ = now;
+    gaps_beside_ *= kBesideKept;
+    none_beside_ *= kBesideKept;
     samples_[1] = samples_[0];
     samples_[0] = levels_;
 }

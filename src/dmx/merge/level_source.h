@@ -28,8 +28,10 @@ inline constexpr std::chrono::milliseconds kWaySilence{1250};  // unchanged sACN
 
 class LevelSource {
 public:
-    // joined: takes part in the merge at once.
-    LevelSource(const Packet& first, bool joined, std::chrono::nanoseconds now);
+    // joined: takes part in the merge at once. sent: packets of its sender, on all universes together;
+    // in_sequence() counts its own.
+    LevelSource(const Packet& first, bool joined, std::shared_ptr<std::uint64_t> sent,
+                std::chrono::nanoseconds now);
 
     const SourceKey& key() const { return key_; }
     bool has_levels() const { return has_levels_; }
@@ -59,8 +61,9 @@ public:
     // Back to the packet's priority where priorities per address stopped. True: they did.
     bool drop_old_priorities(std::chrono::nanoseconds now);
     void measure_rate(std::chrono::nanoseconds now);
-    // Packets that got lost since the last call, as far as numbers tell it: where most of them come after a
-    // gap the sender counts several universes in one row, or as many get lost (SourceStatus::has_gaps).
+    // Packets that got lost since the last call, as far as numbers tell it: a sender that counts all its
+    // universes in one row misses none that came for another; where most of them come after a gap it does
+    // so, too, or as many get lost (SourceStatus::has_gaps).
     std::uint64_t take_lost() { return std::exchange(lost_, 0); }
     void resume(std::chrono::nanoseconds pause, std::chrono::nanoseconds now);
 
@@ -110,7 +113,10 @@ private:
     bool wrong_group_ = false, wrong_length_ = false;
     std::uint8_t priority_ = 100;
     Sequence sequence_;
-    bool has_levels_ = false; // a packet with levels was shown, so the slots mean something
+    std::shared_ptr<std::uint64_t> sent_;
+    std::uint64_t sent_before_;                // at its last packet
+    double gaps_beside_ = 0, none_beside_ = 0; // of late, of packets after some of the sender's elsewhere
+    bool has_levels_ = false;                  // a packet with levels was shown, so the slots mean something
     bool joined_ = false;
     bool per_address_ = false;
     std::uint16_t slot_count_ = 0, priority_count_ = 0;
@@ -124,6 +130,7 @@ private:
     struct Window {
         double packets = 0, late = 0, back = 0, odd = 0, missed = 0,
                swapped = 0; // back: far behind the newest; odd: after a gap or a step back
+        double beyond = 0;  // missed, without what the sender sent elsewhere meanwhile
     };
     Window window_, rates_hz_; // counted since window_start_, and of the whole second before
     std::chrono::nanoseconds window_start_{0};

@@ -130,7 +130,7 @@ LevelSource* Merge::find_or_add(Input& input, const Packet& packet, std::chrono:
                                     [](const LevelSource& source) { return source.has_levels(); });
     const bool joined =
         packet.protocol != Protocol::sacn || alone || sampling_until_ || options_.priority_wait.count() == 0;
-    return &sources.emplace_back(packet, joined, now);
+    return &sources.emplace_back(packet, joined, sent_by(packet.source), now);
 }
 
 void Merge::terminate(std::uint16_t number, Input& input, const Packet& packet,
@@ -187,8 +187,22 @@ bool Merge::must_hold(const Input& input, const LevelSource& source, const Packe
            }) == 1;
 }
 
+std::shared_ptr<std::uint64_t> Merge::sent_by(const SourceKey& source) {
+    std::weak_ptr<std::uint64_t>& known = sent_[sender_of(source)];
+    std::shared_ptr<std::uint64_t> sent = known.lock();
+    if (!sent) known = sent = std::make_shared<std::uint64_t>(0);
+    return sent;
+}
+
+void Merge::pass_elsewhere(const SourceKey& source) {
+    const auto known = sent_.find(sender_of(source));
+    if (known == sent_.end()) return;
+    if (const auto sent = known->second.lock()) ++*sent;
+}
+
 // A source numbers what it sends on a universe in one row: live, for preview, and what we do not use.
 void Merge::pass(const Passing& packet) {
+    pass_elsewhere(packet.source);
     const auto place = inputs_.find(packet.universe);
     if (place == inputs_.end()) return;
     for (LevelSource& source : place->second.sources)
@@ -251,7 +265,7 @@ void Merge::feed(const SyncPacket& packet, std::chrono::nanoseconds now) {
         if (place == inputs_.end()) continue; // not kept
         Input& input = place->second;
         for (LevelSource& source : input.sources)
-            if (sync_key(source.key()) == sync_key(packet.source) &&
+            if (sender_of(source.key()) == sender_of(packet.source) &&
                 source.sync_universe() == packet.universe && source.release()) {
                 mark(number, input);
                 tell_rivals(input.sources, source, now);
@@ -332,6 +346,7 @@ void Merge::tick(std::chrono::nanoseconds now) {
         if (changed) mark(number, input);
         apply_loss_policy(number, input, now);
     }
+    std::erase_if(sent_, [](const auto& entry) { return entry.second.expired(); });
     forget_silent();
 }
 

@@ -17,6 +17,7 @@
 #include <chrono>
 #include <functional>
 #include <map>
+#include <memory>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -86,6 +87,8 @@ public:
     void feed(const SyncPacket& packet, std::chrono::nanoseconds now);
     // Levels of a start code that we do not use: only their number counts.
     void pass(const Passing& packet);
+    // Levels for a universe that is not merged, of a sender that may have others which are.
+    void pass_elsewhere(const SourceKey& source);
     // Lets silent sources go and newcomers in. Call a few times a second.
     void tick(std::chrono::nanoseconds now);
     // We did not listen for this long up to now (the program was stopped): that was no silence of the
@@ -138,6 +141,7 @@ private:
         bool dirty = false;
     };
 
+    std::shared_ptr<std::uint64_t> sent_by(const SourceKey& source);
     void pass_to_twin(Input& input, const Packet& packet, unsigned missed);
     void mark(std::uint16_t number, Input& input);
     bool shows_preview(std::uint16_t number) const;
@@ -163,6 +167,8 @@ private:
     MergeCounters counters_;
     std::map<std::uint16_t, Input> inputs_;
     SyncStreams sync_;
+    // By sender, while a source of it has a place: its packets on all universes together.
+    std::map<SourceKey, std::weak_ptr<std::uint64_t>> sent_;
     std::vector<std::uint16_t> dirty_;
     std::size_t other_sources_ = 0; // on universes that nobody asked for
     bool refused_ = false;          // a universe, since places were looked for

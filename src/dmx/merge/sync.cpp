@@ -6,14 +6,14 @@
 
 namespace ghost::dmx {
 
-SourceKey sync_key(SourceKey source) {
+SourceKey sender_of(SourceKey source) {
     if (source.protocol == Protocol::artnet) source.id[4] = 0;
     source.preview = false;
     return source;
 }
 
 std::size_t SyncStreams::place_of(const SourceKey& source, std::uint16_t universe) const {
-    const SourceKey key = sync_key(source);
+    const SourceKey key = sender_of(source);
     const auto same = [&](const Stream& s) { return s.universe == universe && s.source == key; };
     return static_cast<std::size_t>(std::find_if(streams_.begin(), streams_.end(), same) - streams_.begin());
 }
@@ -26,7 +26,7 @@ std::set<std::uint16_t> SyncStreams::heard(const SyncPacket& packet, std::chrono
     }
     if (place == streams_.size()) {
         streams_.emplace_back();
-        streams_.back().source = sync_key(packet.source);
+        streams_.back().source = sender_of(packet.source);
         streams_.back().universe = packet.universe;
     }
     Stream& stream = streams_[place];

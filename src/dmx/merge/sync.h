@@ -33,9 +33,8 @@ struct SyncStatus {
     std::chrono::nanoseconds age{0};
 };
 
-// Who synchronises the levels of a source: ArtSync comes from an address, whatever the Physical of its
-// levels.
-SourceKey sync_key(SourceKey source);
+// The sender alone: of Art-Net the address, whatever the Physical of its levels, and for preview the same.
+SourceKey sender_of(SourceKey source);
 
 class SyncStreams {
 public:

@@ -40,6 +40,7 @@ void Intake::listen_to(std::vector<std::uint16_t> universes) {
 void Intake::take_levels(Packet& packet, const Arrival& arrival) {
     if (!accepts(packet.universe)) {
         ++counted_.unlisted;
+        merge_.pass_elsewhere(packet.source);
         const auto key = std::make_pair(packet.universe, packet.protocol);
         const auto place = unlisted_.find(key);
         if (place == unlisted_.end() && unlisted_.size() >= kMaxUnlisted) return;

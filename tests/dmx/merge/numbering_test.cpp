@@ -78,6 +78,50 @@ TEST(Merge, one_row_of_numbers_for_several_universes_is_no_loss) {
     EXPECT_LE(merge.counters().lost, 12u) << "of the one that loses a tenth";
 }
 
+TEST(Merge, one_row_of_numbers_of_which_few_are_another_universe_s_is_no_loss) {
+    // Universe 1 forty times a second, others by turns or now and then, merged or not; one of its own packets
+    // is lost twice a second.
+    for (const int every : {6, 44})
+        for (const bool is_merged : {true, false})
+            for (const bool loses : {false, true}) {
+                Merge merge;
+                Desk desk{1};
+                int lost = 0;
+                for (int i = 0; i < 400; ++i) {
+                    const nanoseconds now = i * 25ms;
+                    const Packet packet = desk.packet({1});
+                    if (loses && i % 20 == 13)
+                        ++lost;
+                    else
+                        merge.feed(packet, now);
+                    if (i % every == 0) {
+                        Packet other = desk.packet({0});
+                        other.universe = static_cast<std::uint16_t>(2 + i / every % 3);
+                        is_merged ? merge.feed(other, now + 1ms) : merge.pass_elsewhere(other.source);
+                    }
+                    merge.tick(now);
+                }
+                EXPECT_NEAR(static_cast<double>(merge.counters().lost), lost, loses ? 3 : 0)
+                    << every << is_merged;
+            }
+}
+
+TEST(Merge, what_is_lost_beside_other_universes_of_the_sender_is_told) {
+    // Each universe counts for itself, and a tenth of what is sent for one of them does not come.
+    for (const int every : {1, 6, 44}) {
+        Merge merge;
+        Desk losing{1}, other{1, 100, 2};
+        for (int i = 0; i < 400; ++i) {
+            const nanoseconds now = i * 25ms;
+            const Packet packet = losing.packet({1});
+            if (i % 10 != 9) merge.feed(packet, now);
+            if (i % every == 0) merge.feed(other.packet({2}), now + 1ms);
+            merge.tick(now);
+        }
+        EXPECT_NEAR(static_cast<double>(merge.counters().lost), 40, 5) << every;
+    }
+}
+
 TEST(Merge, who_sends_other_packets_under_the_same_identity) {
     // A desk that fades, and what comes by another address: its packets so many later, numbered alike or in
     // a row of their own.
