@@ -24,7 +24,16 @@ constexpr Quantity kOthers[] = {
     {&FixtureValues::iris_percent, "iris %1 to %2 %", 1.0f, 0},
     {&FixtureValues::frost_percent, "frost %1 to %2 %", 1.0f, 0},
     {&FixtureValues::blades_percent, "shutters %1 to %2 %", 1.0f, 0},
+    {&FixtureValues::focus_percent, "focus %1 to %2 %", 1.0f, 0},
     {&FixtureValues::strobe_hz, "strobe %1 to %2 Hz", 0.1f, 1},
+    {&FixtureValues::gobo_deg_s, "gobo turns at %1 to %2 deg/s", 0.5f, 1},
+    {&FixtureValues::effects_deg_s, "effects turn at %1 to %2 deg/s", 0.5f, 1},
+    {&FixtureValues::tint_percent, "tint %1 to %2 %", 1.0f, 0},
+};
+// Of angles, for which a whole turn is none.
+constexpr Quantity kTurns[] = {
+    {&FixtureValues::gobo_deg, "gobo turned from %1 to %2 deg", 0.5f, 0},
+    {&FixtureValues::effects_deg, "effects turned from %1 to %2 deg", 0.5f, 0},
 };
 struct ChangedText {
     std::string FixtureValues::*value;
@@ -47,6 +56,25 @@ void add_quantity(const Quantity& quantity, const FixtureValues& before, const F
                                     style.number(static_cast<double>(to), quantity.decimals)}));
 }
 
+// Single blades, where the one that is farthest in stays.
+bool blades_move(const FixtureValues& before, const FixtureValues& after) {
+    constexpr float kLeast = 0.01f;
+    const auto differ = [](const fixture::Blade& a, const fixture::Blade& b) {
+        return std::abs(a.a - b.a) >= kLeast || std::abs(a.b - b.b) >= kLeast ||
+               std::abs(a.deg - b.deg) >= kLeastTurn_deg;
+    };
+    return std::abs(before.shaper_deg - after.shaper_deg) >= kLeastTurn_deg ||
+           !std::equal(before.blades.begin(), before.blades.end(), after.blades.begin(),
+                       [&](const fixture::Blade& a, const fixture::Blade& b) { return !differ(a, b); });
+}
+
+// But for how far one that turns or runs has come.
+bool same_figure(const std::optional<fixture::LaserCurve>& a, const std::optional<fixture::LaserCurve>& b) {
+    if (!a || !b) return a.has_value() == b.has_value();
+    return a->kind == b->kind && a->count == b->count && a->size_deg == b->size_deg && a->deg_s == b->deg_s &&
+           a->move_hz == b->move_hz && (a->deg_s != 0 || a->deg == b->deg);
+}
+
 bool moves(const FixtureValues& before, const FixtureValues& after) {
     return std::abs(after.pan_deg - before.pan_deg) >= kLeastTurn_deg ||
            std::abs(after.tilt_deg - before.tilt_deg) >= kLeastTurn_deg;
@@ -65,7 +93,15 @@ std::string change_of(const FixtureValues& before, const FixtureValues& after, c
     for (const ChangedText& text : kChangedTexts)
         if (before.*text.value != after.*text.value)
             add(others, style(text.said, {before.*text.value, after.*text.value}));
+    const bool by_blades =
+        std::abs(after.blades_percent - before.blades_percent) < 1.0f && blades_move(before, after);
     for (const Quantity& quantity : kOthers) add_quantity(quantity, before, after, style, others);
+    for (const Quantity& quantity : kTurns) {
+        const float turn_deg = std::remainder(after.*quantity.value - before.*quantity.value, 360.0f);
+        if (std::abs(turn_deg) >= quantity.least) add_quantity(quantity, before, after, style, others);
+    }
+    if (by_blades) add(others, style("shutters move"));
+    if (!same_figure(before.figure, after.figure)) add(others, style("another figure"));
     if (before.is_dark() && after.is_dark()) {
         if (moves(before, after)) return style("moves in the dark");
         return others.empty() ? "" : style("is set in the dark");
@@ -121,6 +157,31 @@ std::vector<BookChange> changes_of(const Show& show, const SceneLook& before, co
     if (before.ambient_colour.value_or(show.ambient_colour) !=
         after.ambient_colour.value_or(show.ambient_colour))
         put(style("even light changes its colour"));
+    if (before.attenuation != after.attenuation) put(style("light falls off otherwise with distance"));
+    if (before.shadows.value_or(true) != after.shadows.value_or(true))
+        put(after.shadows.value_or(true) ? style("shadows on") : style("shadows off"));
+    return changes;
+}
+
+std::vector<BookChange> changes_of(const Show& show, const std::vector<std::vector<float>>& before,
+                                   const std::vector<std::vector<float>>& after, const PrintStyle& style) {
+    constexpr float kLeastMove_m = 0.005f;
+    std::vector<BookChange> changes;
+    for (std::size_t i = 0; i < std::min({show.movers.size(), before.size(), after.size()}); ++i) {
+        const Mover& mover = show.movers[i];
+        std::string list;
+        for (std::size_t k = 0; k < std::min({mover.axes.size(), before[i].size(), after[i].size()}); ++k) {
+            const MoverAxis& axis = mover.axes[k];
+            const float from = before[i][k], to = after[i][k];
+            if (std::abs(to - from) < (axis.is_angle ? kLeastTurn_deg : kLeastMove_m)) continue;
+            const auto said = [&](float value) {
+                return axis.is_angle ? style.number(static_cast<double>(value), 1) + " deg"
+                                     : style.length_said(static_cast<double>(value));
+            };
+            add(list, style("%1 from %2 to %3", {axis.name, said(from), said(to)}));
+        }
+        if (!list.empty()) changes.push_back({{}, mover.name + ": " + list});
+    }
     return changes;
 }
 

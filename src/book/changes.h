@@ -16,8 +16,9 @@ struct SceneLook; // show/looks.h
 struct Show;      // show/show.h
 
 struct BookChange {
-    std::vector<std::string> fixtures; // names, in the order of the show; none: the air, the even light
-    std::string what;                  // "0 to 80 %, moves"
+    std::vector<std::string>
+        fixtures;     // names, in the order of the show; none: the air, the even light, a machine
+    std::string what; // "0 to 80 %, moves"
 
     // With the names, those that count on as one: "Spot 1-8: 0 to 80 %".
     std::string line() const;
@@ -31,8 +32,13 @@ std::string change_of(const FixtureValues& before, const FixtureValues& after, c
 std::vector<BookChange> changes_of(const Show& show, const std::vector<FixtureValues>& before,
                                    const std::vector<FixtureValues>& after, const PrintStyle& style = {});
 
-// Of the air and the even light that a look sets.
+// Of the air, the even light, and how light falls off and throws shadows, as a look sets them.
 std::vector<BookChange> changes_of(const Show& show, const SceneLook& before, const SceneLook& after,
+                                   const PrintStyle& style = {});
+
+// Of machines: values of all axes of each of the show's movers.
+std::vector<BookChange> changes_of(const Show& show, const std::vector<std::vector<float>>& before,
+                                   const std::vector<std::vector<float>>& after,
                                    const PrintStyle& style = {});
 
 } // namespace ghost::scene

@@ -158,6 +158,22 @@ BeamValues beam_values(const Type& type, const Optics& optics, const PrintStyle&
     return values;
 }
 
+// How far the pictures in the light are turned, and how fast they turn, all together: two that differ in it
+// look different.
+void add_turns(const Type& type, const Optics& optics, FixtureValues& values) {
+    const auto put = [](float deg, bool turns, float deg_s, float& turn_deg, float& turn_deg_s) {
+        turn_deg += turns ? 0 : deg;
+        turn_deg_s += turns ? deg_s : 0;
+    };
+    for (const fixture::WheelState& wheel : optics.gobo_wheels)
+        if (!wheel_text(type, wheel, {}).empty())
+            put(wheel.gobo_deg, wheel.rotating, wheel.gobo_deg_s, values.gobo_deg, values.gobo_deg_s);
+    for (const std::vector<fixture::Insert>* inserts : {&optics.prisms, &optics.animations})
+        for (const fixture::Insert& insert : *inserts)
+            if (insert.in >= 0.5f)
+                put(insert.deg, insert.rotating, insert.deg_s, values.effects_deg, values.effects_deg_s);
+}
+
 void add_hands(const fixture::Programmer& programmer, const PrintStyle& style, FixtureValues& values) {
     const auto put = [&](const std::string& part) {
         values.colour = values.colour == style("open") ? part : values.colour + " + " + part;
@@ -201,6 +217,13 @@ FixtureValues values_of(const Type& type, const fixture::State& state, const fix
     values.frost_percent = 100.0f * optics.frost;
     for (const fixture::Blade& blade : optics.blades)
         values.blades_percent = std::max(values.blades_percent, 100.0f * std::max(blade.a, blade.b));
+    std::copy_n(optics.blades.begin(), std::min(optics.blades.size(), values.blades.size()),
+                values.blades.begin());
+    values.shaper_deg = optics.shaper_deg;
+    values.focus_percent = 100.0f * optics.focus;
+    values.tint_percent = 100.0f * optics.tint;
+    values.figure = optics.figure;
+    add_turns(type, optics, values);
     if (optics.strobe != fixture::Strobe::none) values.strobe_hz = optics.strobe_hz;
     if (programmer) add_hands(*programmer, style, values);
     return values;

@@ -8,6 +8,8 @@
 #include "fixture/state.h"
 #include "print/print_style.h"
 
+#include <array>
+#include <optional>
 #include <string>
 
 namespace ghost::scene {
@@ -17,8 +19,17 @@ struct FixtureValues {
     float zoom_deg = 0;      // full field angle
     float iris_percent = 100;
     float frost_percent = 0;
-    float blades_percent = 0; // the one that is farthest in
+    float blades_percent = 0;               // the one that is farthest in
+    std::array<fixture::Blade, 4> blades{}; // each of them, and all together:
+    float shaper_deg = 0;
+    float focus_percent = 50; // 0 near, 100 far
     float strobe_hz = 0;
+    float gobo_deg = 0; // turn of the picture, of all its gobos together; 0 where one of them turns by itself
+    float gobo_deg_s = 0;
+    float effects_deg = 0; // the same of prisms and animation discs that are in
+    float effects_deg_s = 0;
+    float tint_percent = 0; // -100 magenta .. 100 green
+    std::optional<fixture::LaserCurve> figure;
     float pan_deg = 0;
     float tilt_deg = 0;
     std::string colour = "open";

@@ -145,7 +145,7 @@ std::string joined_ports(const dmx::Statistics& statistics, bool sacn, bool artn
          {std::pair(dmx::Protocol::sacn, sacn), std::pair(dmx::Protocol::artnet, artnet)}) {
         const auto socket =
             std::find_if(statistics.sockets.begin(), statistics.sockets.end(),
-                         [&](const dmx::SocketStatus& one) { return one.protocol == protocol; });
+                         [by = protocol](const dmx::SocketStatus& one) { return one.protocol == by; });
         if (wanted && socket != statistics.sockets.end())
             text += (text.empty() ? "" : " and ") + std::to_string(socket->port);
     }

@@ -177,7 +177,8 @@ void add_priorities(const dmx::Statistics& statistics, const PatchMap& patch, Se
         const bool is_read = std::any_of(universes.begin(), universes.end(),
                                          [&](int universe) { return patched.contains(universe); });
         const std::string said = who.first + " sends priorities per address above 200 on " +
-                                 universes_text(universes) + " for " + count_text(who.second, "channel") +
+                                 universes_text(universes) + " for " +
+                                 count_text(static_cast<std::uint64_t>(who.second), "channel") +
                                  ": there is none above 200 (E1.31), and it does not hold these channels";
         out.push_back(is_read ? problem(Trouble::bad_priorities, said, universes)
                               : note(Trouble::bad_priorities, said, universes));
@@ -185,8 +186,8 @@ void add_priorities(const dmx::Statistics& statistics, const PatchMap& patch, Se
     for (const auto& [who, universes] : given_up) {
         const auto& [name, levels, priorities] = who;
         out.push_back(note(Trouble::bad_priorities,
-                           name + " sends " + count_text(levels, "level") + " on " +
-                               universes_text(universes) + " and priorities per address for " +
+                           name + " sends " + count_text(static_cast<std::uint64_t>(levels), "level") +
+                               " on " + universes_text(universes) + " and priorities per address for " +
                                std::to_string(priorities) +
                                " alone: it gives the others up, and fixtures are patched there",
                            universes));

@@ -80,6 +80,44 @@ TEST(Changes, are_none_below_what_is_seen) {
     EXPECT_EQ(change_of(before, after), "80 to 79 %");
 }
 
+TEST(Changes, of_focus_turns_blades_and_figures_are_told) {
+    const FixtureValues before = values({204, 20, 60, 0, 128});
+    const auto told = [&](auto change) {
+        FixtureValues after = before;
+        change(after);
+        return change_of(before, after);
+    };
+    EXPECT_EQ(told([](FixtureValues& v) { v.focus_percent = 80; }), "focus 50 to 80 %");
+    EXPECT_EQ(told([](FixtureValues& v) { v.gobo_deg = 30; }), "gobo turned from 0 to 30 deg");
+    EXPECT_EQ(told([](FixtureValues& v) { v.gobo_deg = 360; }), "");
+    EXPECT_EQ(told([](FixtureValues& v) { v.gobo_deg_s = 12; }), "gobo turns at 0 to 12 deg/s");
+    EXPECT_EQ(told([](FixtureValues& v) { v.effects_deg = 10; }), "effects turned from 0 to 10 deg");
+    EXPECT_EQ(told([](FixtureValues& v) { v.effects_deg_s = -10; }), "effects turn at 0 to -10 deg/s");
+    EXPECT_EQ(told([](FixtureValues& v) { v.tint_percent = -20; }), "tint 0 to -20 %");
+    EXPECT_EQ(told([](FixtureValues& v) { v.blades[2].a = 0.3f; }), "shutters move");
+    EXPECT_EQ(told([](FixtureValues& v) { v.shaper_deg = 20; }), "shutters move");
+    EXPECT_EQ(told([](FixtureValues& v) { v.figure.emplace(); }), "another figure");
+    FixtureValues one = before, other = before;
+    one.figure.emplace().deg_s = other.figure.emplace().deg_s = 90;
+    other.figure->deg = 45;
+    EXPECT_EQ(change_of(one, other), "") << "it turns";
+}
+
+TEST(Changes, of_machines_are_told) {
+    Show show;
+    Mover& truss = show.movers.emplace_back();
+    truss.name = "Truss";
+    truss.axes.resize(2);
+    truss.axes[0].name = "hoist 1";
+    truss.axes[1].name = "turn";
+    truss.axes[1].is_angle = true;
+    using Axes = std::vector<std::vector<float>>;
+    const auto changes = changes_of(show, Axes{{0, 0}}, Axes{{-3, 12.5f}});
+    ASSERT_EQ(changes.size(), 1u);
+    EXPECT_EQ(changes[0].line(), "Truss: hoist 1 from 0 m to -3 m, turn from 0 deg to 12.5 deg");
+    EXPECT_TRUE(changes_of(show, Axes{{0, 0}}, Axes{{0.004f, 0.4f}}).empty());
+}
+
 TEST(Changes, in_the_dark_are_a_word) {
     const FixtureValues before = values({0, 0, 0, 0, 128});
     EXPECT_EQ(change_of(before, values({0, 20, 0, 0, 200})), "moves in the dark");
@@ -116,6 +154,13 @@ TEST(Changes, of_the_air_are_told) {
     ASSERT_EQ(changes.size(), 2u);
     EXPECT_EQ(changes[0].line(), "haze 100 to 150 %");
     EXPECT_EQ(changes[1].line(), "even light 1.5 to 3 lx");
+    look = {};
+    look.shadows = false;
+    look.attenuation = glm::vec3(1, 0, 1);
+    const auto others = changes_of(show, SceneLook{}, look);
+    ASSERT_EQ(others.size(), 2u);
+    EXPECT_EQ(others[0].line(), "light falls off otherwise with distance");
+    EXPECT_EQ(others[1].line(), "shadows off");
 }
 
 TEST(Values, name_a_gel_that_a_hand_put_in) {

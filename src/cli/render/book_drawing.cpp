@@ -5,6 +5,7 @@
 #include "base/log.h"
 #include "base/progress.h"
 #include "base/steady_time.h"
+#include "book/difference.h"
 #include "book/rests.h"
 #include "cli/render/chosen_cameras.h"
 #include "disk/files.h"
@@ -16,6 +17,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <map>
 #include <memory>
 #include <utility>
 
@@ -48,6 +50,10 @@ private:
     // The rig anew, so that what one entry shows does not hang on those before it.
     void go_to(const scene::PlannedEntry* planned);
     std::vector<FixtureValues> values() const;
+    std::vector<std::vector<float>> mover_values() const;
+    Result<void> say_unnamed_change(const std::map<std::string, image::Image8>& before,
+                                    const std::string& camera, const image::Image8& picture,
+                                    scene::BookEntry& entry) const;
     Progress progress(const std::string& label) const {
         return Progress(label,
                         options_.session.quiet ? Progress::Style::silent : Progress::style_for_stderr(),
@@ -178,6 +184,25 @@ std::vector<FixtureValues> BookDrawing::values() const {
     return all;
 }
 
+std::vector<std::vector<float>> BookDrawing::mover_values() const {
+    std::vector<std::vector<float>> all(session_->show->movers.size());
+    for (std::size_t i = 0; i < all.size(); ++i) all[i] = session_->rig->movers().values(i);
+    return all;
+}
+
+// Films, and whatever else has no words: nobody is told that nothing is seen where the picture is another.
+Result<void> BookDrawing::say_unnamed_change(const std::map<std::string, image::Image8>& before,
+                                             const std::string& camera, const image::Image8& picture,
+                                             scene::BookEntry& entry) const {
+    const auto known = before.find(camera);
+    if (!entry.changes.empty() || known == before.end()) return {};
+    image::Image8 map;
+    TRY(const scene::PictureDifference difference, scene::compare_pictures(known->second, picture, map));
+    if (difference.seen >= scene::PictureDifference::Seen::seen)
+        entry.changes.push_back({{}, options_.style("the picture changes by what is not named here")});
+    return {};
+}
+
 // Of the entry with the most light, from its first camera: nothing of the book is too bright.
 Result<float> BookDrawing::metered(const scene::Camera& camera) {
     const scene::PlannedEntry* brightest = &plan_.entries.front();
@@ -228,7 +253,9 @@ Result<DrawnBook> BookDrawing::draw(const fs::path& folder, const BookFrame* giv
     Progress progress = this->progress("cue book");
     go_to(nullptr);
     std::vector<FixtureValues> before = values();
+    std::vector<std::vector<float>> movers_before = mover_values();
     ui::SceneLook scene_before;
+    std::map<std::string, image::Image8> pictures_before; // by camera
     for (std::size_t i = 0; i < plan_.entries.size(); ++i) {
         const scene::PlannedEntry& planned = plan_.entries[i];
         scene::BookEntry& entry = book.entries.emplace_back(planned.entry);
@@ -237,7 +264,11 @@ Result<DrawnBook> BookDrawing::draw(const fs::path& folder, const BookFrame* giv
         entry.changes = scene::changes_of(*session_->show, before, now, options_.style);
         const auto of_air = scene::changes_of(*session_->show, scene_before, look_.scene, options_.style);
         entry.changes.insert(entry.changes.end(), of_air.begin(), of_air.end());
+        std::vector<std::vector<float>> movers_now = mover_values();
+        const auto of_movers = scene::changes_of(*session_->show, movers_before, movers_now, options_.style);
+        entry.changes.insert(entry.changes.end(), of_movers.begin(), of_movers.end());
         before = std::move(now);
+        movers_before = std::move(movers_now);
         scene_before = look_.scene;
         if (player_ && planned.entry.at_s && *planned.entry.at_s > player_->duration_s())
             entry.unknown.push_back(options_.style("the recording ends before it: this is its last look"));
@@ -248,7 +279,10 @@ Result<DrawnBook> BookDrawing::draw(const fs::path& folder, const BookFrame* giv
             session_->draw();
             char name[64];
             std::snprintf(name, sizeof name, "pictures/%04zu-%zu.png", i + 1, k + 1);
-            TRY_VOID(image::write_png(folder / name, session_->relighter->picture()));
+            image::Image8 picture = session_->relighter->picture();
+            TRY_VOID(image::write_png(folder / name, picture));
+            TRY_VOID(say_unnamed_change(pictures_before, cameras[k].name, picture, entry));
+            pictures_before.insert_or_assign(cameras[k].name, std::move(picture));
             entry.pictures.push_back({cameras[k].name, name});
             progress.update(
                 (static_cast<double>(i) + static_cast<double>(k + 1) / static_cast<double>(cameras.size())) /
