@@ -3690,40 +3690,8 @@ Bitte den Namen des Ordners prüfen.</translation>
         <translation>%1 lassen %2 von %3 lm</translation>
     </message>
     <message>
-        <source>channel %1 (%2) is at its default %3</source>
-        <translation>Kanal %1 (%2) steht auf dem Grundwert %3</translation>
-    </message>
-    <message>
-        <source>channel %1 (%2) is at %3</source>
-        <translation>Kanal %1 (%2) steht auf %3</translation>
-    </message>
-    <message>
-        <source>channel %1 (%2), %3</source>
-        <translation>Kanal %1 (%2), %3</translation>
-    </message>
-    <message>
-        <source>channel %1 (%2) and %3</source>
-        <translation>Kanal %1 (%2) und %3</translation>
-    </message>
-    <message>
-        <source>channel %1 (%2)</source>
-        <translation>Kanal %1 (%2)</translation>
-    </message>
-    <message>
         <source>channel %1</source>
         <translation>Kanal %1</translation>
-    </message>
-    <message>
-        <source>cyan %1 on %2</source>
-        <translation>Cyan %1 auf %2</translation>
-    </message>
-    <message>
-        <source>magenta %1 on %2</source>
-        <translation>Magenta %1 auf %2</translation>
-    </message>
-    <message>
-        <source>yellow %1 on %2</source>
-        <translation>Gelb %1 auf %2</translation>
     </message>
     <message>
         <source>the virtual channel &apos;%1&apos;</source>
@@ -3894,10 +3862,6 @@ Bitte den Namen des Ordners prüfen.</translation>
         <translation>%1 hat kein Kabel, oder die Gegenseite ist aus</translation>
     </message>
     <message>
-        <source>nothing arrives: is the desk&apos;s output on, is it in this network, and is no firewall on UDP 5568 and 6454 in the way? We listen on %1</source>
-        <translation>nichts kommt an: Ist die Ausgabe des Pults an, ist es in diesem Netzwerk, und ist keine Firewall auf UDP 5568 und 6454 im Weg? Gehört wird auf %1</translation>
-    </message>
-    <message>
         <source>nothing arrives: is the desk&apos;s output on, is it in this network, and is no firewall on UDP %1 in the way? We listen on %2</source>
         <translation>nichts kommt an: Ist die Ausgabe des Pults an, ist es in diesem Netzwerk, und ist keine Firewall auf UDP %1 im Weg? Gehört wird auf %2</translation>
     </message>
@@ -3915,7 +3879,7 @@ Bitte den Namen des Ordners prüfen.</translation>
     </message>
     <message>
         <source>the port %1 of %2 is taken by %3, too: of two programs only the one started last gets a desk&apos;s unicast. Close the other one, or start again with --interface and an address of this machine</source>
-        <translation>der Port %1 von %2 wird auch von %3 benutzt: Von zwei Programmen bekommt nur das zuletzt gestartete den Unicast eines Pults. Das andere schließen oder mit --interface und einer Adresse dieses Rechners neu starten</translation>
+        <translation>den Port %1 von %2 hat auch %3: Von zwei Programmen bekommt nur das zuletzt gestartete den Unicast eines Pults. Das andere schließen oder mit --interface und einer Adresse dieses Rechners neu starten</translation>
     </message>
     <message>
         <source>%1 runs on this machine: if it is the desk, its multicast does not come back here (QLC+ switches that off): have it send unicast to 127.0.0.1</source>
@@ -3927,7 +3891,7 @@ Bitte den Namen des Ordners prüfen.</translation>
     </message>
     <message>
         <source>%1 announces %2, and none of it arrives here: either it sends them by unicast to other addresses than ours (its output page says so), or a switch holds this multicast back (IGMP snooping without a querier): unicast to %3 gets past both; or it announces what it does not send (its output is off)</source>
-        <translation>%1 kündigt %2 an, und nichts davon kommt hier an: entweder sendet es per Unicast an andere Adressen als unsere (seine Ausgangsseite sagt es), oder ein Switch hält dieses Multicast zurück (IGMP-Snooping ohne Querier): Unicast an %3 kommt an beidem vorbei; oder es kündigt an, was es nicht sendet (sein Ausgang ist aus)</translation>
+        <translation>%1 meldet %2, und nichts davon kommt hier an: entweder sendet es per Unicast an andere Adressen als unsere (seine Ausgangsseite sagt es), oder ein Switch hält dieses Multicast zurück (IGMP-Snooping ohne Querier): Unicast an %3 kommt an beidem vorbei; oder es meldet, was es nicht sendet (sein Ausgang ist aus)</translation>
     </message>
     <message>
         <source>off by one? %1 comes for %2, fixtures are on %3: %4</source>
@@ -3935,7 +3899,7 @@ Bitte den Namen des Ordners prüfen.</translation>
     </message>
     <message>
         <source>off by one? %1 is announced for %2 by %3, fixtures are on %4: %5</source>
-        <translation>um eins verschoben? %1 ist für %2 von %3 angekündigt, Geräte liegen auf %4: %5</translation>
+        <translation>um eins verschoben? %1 ist für %2 von %3 gemeldet, Geräte liegen auf %4: %5</translation>
     </message>
     <message>
         <source>--artnet-offset %1 brings them together</source>
@@ -3948,14 +3912,6 @@ Bitte den Namen des Ordners prüfen.</translation>
     <message>
         <source>%1. If that is another system&apos;s (another hall, somebody&apos;s list), this show&apos;s desk is silent or does not get here: its output, the network, a firewall on UDP 5568 and 6454</source>
         <translation>%1. Wenn das einer anderen Anlage gehört (andere Halle, jemandes Liste), schweigt das Pult dieser Show oder kommt nicht an: sein Ausgang, das Netz, eine Firewall auf UDP 5568 und 6454</translation>
-    </message>
-    <message>
-        <source>%1 announces %2, nothing is patched there; the show wants %3</source>
-        <translation>%1 kündigt %2 an, dort ist nichts gepatcht; die Show will %3</translation>
-    </message>
-    <message>
-        <source>%1 announces %2, nothing is patched there</source>
-        <translation>%1 kündigt %2 an, dort ist nichts gepatcht</translation>
     </message>
     <message>
         <source>packets for %1 arrive (%2), nothing is patched there; the show wants %3</source>
@@ -3983,7 +3939,7 @@ Bitte den Namen des Ordners prüfen.</translation>
     </message>
     <message>
         <source>nothing comes for %1 any more, since %2: the last look is held. Packets arrive that cannot be read (%3): if they are its desk&apos;s, that has to be mended</source>
-        <translation>für %1 kommt seit %2 nichts mehr: der letzte Stand wird gehalten. Es kommen Pakete an, die nicht zu lesen sind (%3): sind es die seines Pults, muss das in Ordnung gebracht werden</translation>
+        <translation>für %1 kommt seit %2 nichts mehr: das letzte Bild wird gehalten. Es kommen Pakete an, die nicht zu lesen sind (%3): sind es die seines Pults, muss das in Ordnung gebracht werden</translation>
     </message>
     <message>
         <source>most packets of %1 on %2 come after a gap in their numbers: it counts several universes in one row, or as many get lost on the way</source>
@@ -4051,11 +4007,11 @@ Bitte den Namen des Ordners prüfen.</translation>
     </message>
     <message>
         <source>%1 comes from more than one source of equal priority, %2, and they differ on up to %3: %4. Switch one off, or give one that is a backup a lower priority</source>
-        <translation>%1 kommt von mehr als einer Quelle gleicher Priorität, %2, und sie unterscheiden sich auf bis zu %3: %4. Eine abschalten oder der Reserve eine niedrigere Priorität geben</translation>
+        <translation>%1 kommt von mehr als einer Quelle gleicher Priorität, %2, und sie unterscheiden sich um bis zu %3: %4. Eine abschalten oder der Reserve eine niedrigere Priorität geben</translation>
     </message>
     <message>
         <source>%1 come from more than one source of equal priority, %2, and they differ on up to %3: %4. Switch one off, or give one that is a backup a lower priority</source>
-        <translation>%1 kommen von mehr als einer Quelle gleicher Priorität, %2, und sie unterscheiden sich auf bis zu %3: %4. Eine abschalten oder der Reserve eine niedrigere Priorität geben</translation>
+        <translation>%1 kommen von mehr als einer Quelle gleicher Priorität, %2, und sie unterscheiden sich um bis zu %3: %4. Eine abschalten oder der Reserve eine niedrigere Priorität geben</translation>
     </message>
     <message>
         <source>whoever changed a channel last has it (LTP, --artnet-merge)</source>
@@ -5355,7 +5311,7 @@ Bitte den Namen des Ordners prüfen.</translation>
     </message>
     <message>
         <source>%1. Art-Net that a desk broadcasts to %2 (one in %3 with the mask 255.0.0.0) does not arrive at our address and mask, which take %4 and 255.255.255.255: give both machines one network and one mask</source>
-        <translation>%1. Art-Net, das ein Pult per Broadcast an %2 sendet (eines in %3 mit der Maske 255.0.0.0), kommt mit unserer Adresse und Maske nicht an, die %4 und 255.255.255.255 nehmen: beiden Rechnern ein Netzwerk und eine Maske geben</translation>
+        <translation>%1. Art-Net, das ein Pult an %2 sendet (eines in %3 mit der Maske 255.0.0.0), kommt bei unserer Adresse und Maske nicht an, die %4 und 255.255.255.255 annehmen: beiden Rechnern ein Netz und eine Maske geben</translation>
     </message>
     <message>
         <source>baked pictures are turned off</source>
@@ -5411,11 +5367,11 @@ Bitte den Namen des Ordners prüfen.</translation>
     </message>
     <message>
         <source>universe %1 comes with %2, and %3 of the fixture lie past these (is it patched on the desk?), and %4</source>
-        <translation>Universum %1 kommt mit %2, und %3 des Geräts liegen dahinter (ist es am Pult gepatcht?), und %4</translation>
+        <translation>Universum %1 bringt %2, und %3 des Geräts liegen dahinter (ist es am Pult gepatcht?), und %4</translation>
     </message>
     <message>
         <source>universe %1 comes with %2, and %3 of the fixture lie past these (is it patched on the desk?)</source>
-        <translation>Universum %1 kommt mit %2, und %3 des Geräts liegen dahinter (ist es am Pult gepatcht?)</translation>
+        <translation>Universum %1 bringt %2, und %3 des Geräts liegen dahinter (ist es am Pult gepatcht?)</translation>
     </message>
     <message>
         <source>their universe %1 comes with fewer channels</source>
@@ -5431,11 +5387,11 @@ Bitte den Namen des Ordners prüfen.</translation>
     </message>
     <message>
         <source>%1 comes with %2, and %3 (%4) is patched past these: not patched on the desk?</source>
-        <translation>%1 kommt mit %2, und %3 (%4) ist dahinter gepatcht: am Pult nicht gepatcht?</translation>
+        <translation>%1 bringt %2, und %3 (%4) ist dahinter gepatcht: am Pult nicht gepatcht?</translation>
     </message>
     <message>
         <source>%1 comes with %2, and %3 (%4) are patched past these: not patched on the desk?</source>
-        <translation>%1 kommt mit %2, und %3 (%4) sind dahinter gepatcht: am Pult nicht gepatcht?</translation>
+        <translation>%1 bringt %2, und %3 (%4) sind dahinter gepatcht: am Pult nicht gepatcht?</translation>
     </message>
     <message>
         <source>%1. %2 has a cable and no IPv4 address (no DHCP server answers, perhaps): for Art-Net, and for sACN by IPv4, it needs one in the desk&apos;s network</source>
@@ -5619,19 +5575,19 @@ Bitte den Namen des Ordners prüfen.</translation>
     </message>
     <message>
         <source>%1 comes from more than one source of equal priority, %2, and they differ on up to %3: %4. %5 sends 0 alone: if that is a black-out, the others hide it</source>
-        <translation>%1 kommt von mehr als einer Quelle gleicher Priorität, %2, und sie unterscheiden sich auf bis zu %3: %4. %5 sendet nur 0: wenn das ein Blackout ist, verdecken ihn die anderen</translation>
+        <translation>%1 kommt von mehr als einer Quelle gleicher Priorität, %2, und sie unterscheiden sich um bis zu %3: %4. %5 sendet nur 0: wenn das ein Blackout ist, verdecken ihn die anderen</translation>
     </message>
     <message>
         <source>%1 comes from more than one source of equal priority, %2, and they differ on up to %3: %4. %5 has all dimmers at 0: if that is a black-out, the others hide it</source>
-        <translation>%1 kommt von mehr als einer Quelle gleicher Priorität, %2, und sie unterscheiden sich auf bis zu %3: %4. %5 hat alle Dimmer auf 0: wenn das ein Blackout ist, verdecken ihn die anderen</translation>
+        <translation>%1 kommt von mehr als einer Quelle gleicher Priorität, %2, und sie unterscheiden sich um bis zu %3: %4. %5 hat alle Dimmer auf 0: wenn das ein Blackout ist, verdecken ihn die anderen</translation>
     </message>
     <message>
         <source>%1 come from more than one source of equal priority, %2, and they differ on up to %3: %4. %5 sends 0 alone: if that is a black-out, the others hide it</source>
-        <translation>%1 kommen von mehr als einer Quelle gleicher Priorität, %2, und sie unterscheiden sich auf bis zu %3: %4. %5 sendet nur 0: wenn das ein Blackout ist, verdecken ihn die anderen</translation>
+        <translation>%1 kommen von mehr als einer Quelle gleicher Priorität, %2, und sie unterscheiden sich um bis zu %3: %4. %5 sendet nur 0: wenn das ein Blackout ist, verdecken ihn die anderen</translation>
     </message>
     <message>
         <source>%1 come from more than one source of equal priority, %2, and they differ on up to %3: %4. %5 has all dimmers at 0: if that is a black-out, the others hide it</source>
-        <translation>%1 kommen von mehr als einer Quelle gleicher Priorität, %2, und sie unterscheiden sich auf bis zu %3: %4. %5 hat alle Dimmer auf 0: wenn das ein Blackout ist, verdecken ihn die anderen</translation>
+        <translation>%1 kommen von mehr als einer Quelle gleicher Priorität, %2, und sie unterscheiden sich um bis zu %3: %4. %5 hat alle Dimmer auf 0: wenn das ein Blackout ist, verdecken ihn die anderen</translation>
     </message>
     <message>
         <source>packets of %1 on %2 come in two rows of numbers, or one of them without any, with different levels: two programs send there as one, or one that gives two packets one number (a base and an effect). Now the look of this shows, now of that. Of two, close one, or give it an identity of its own (sACN: a CID, Art-Net: an address)</source>
@@ -5643,7 +5599,7 @@ Bitte den Namen des Ordners prüfen.</translation>
     </message>
     <message>
         <source>%1 channels (%2 in some packets)</source>
-        <translation>%1 Kanälen (%2 in manchen Paketen)</translation>
+        <translation>%1 Kanäle (%2 in manchen Paketen)</translation>
     </message>
     <message>
         <source>%1 channel (%2 in some packets)</source>
@@ -5683,11 +5639,11 @@ Bitte den Namen des Ordners prüfen.</translation>
     </message>
     <message>
         <source>nothing comes for %1 any more, since %2: the last look is held. Packets still come, without levels</source>
-        <translation>für %1 kommt seit %2 nichts mehr: der letzte Stand wird gehalten. Es kommen noch Pakete, ohne Werte</translation>
+        <translation>für %1 kommt seit %2 nichts mehr: das letzte Bild wird gehalten. Es kommen noch Pakete, ohne Werte</translation>
     </message>
     <message>
         <source>nothing comes for %1 any more, since %2: the last look is held. Its desk said that it ends this stream: its output was switched off, or its program closed</source>
-        <translation>seit %2 kommt nichts mehr für %1: der letzte Stand wird gehalten. Sein Pult hat gesagt, dass es diesen Strom beendet: sein Ausgang wurde abgeschaltet oder sein Programm beendet</translation>
+        <translation>seit %2 kommt nichts mehr für %1: das letzte Bild wird gehalten. Sein Pult hat gesagt, dass es diesen Strom beendet: sein Ausgang wurde abgeschaltet oder sein Programm beendet</translation>
     </message>
     <message>
         <source>nothing comes for %1 any more, since %2: black (--on-loss). Its desk said that it ends this stream: its output was switched off, or its program closed</source>
@@ -5702,16 +5658,12 @@ Bitte den Namen des Ordners prüfen.</translation>
         <translation>%1 kündigt auf %2 mehr Werte an, als seine Pakete enthalten, oder als 512; die vorhandenen gelten</translation>
     </message>
     <message>
-        <source>this machine dropped %1 packets in the last seconds: it is too busy, the sockets&apos; buffers are too small (as root: sysctl -w net.core.rmem_max=4194304), or somebody&apos;s packets have wrong checksums</source>
-        <translation>dieser Rechner hat in den letzten Sekunden %1 Pakete verworfen: Er ist überlastet, die Puffer der Sockets sind zu klein (als root: sysctl -w net.core.rmem_max=4194304), oder jemandes Pakete haben falsche Prüfsummen</translation>
-    </message>
-    <message>
         <source>packets for %1 arrive (%2), nothing is patched there; the show wants %3; %4 is %5 with its two bytes exchanged: the sender writes universe numbers in the wrong order of bytes</source>
         <translation>Pakete für %1 kommen an (%2), dort ist nichts gepatcht; die Show will %3; %4 ist %5 mit vertauschten Bytes: der Sender schreibt Nummern von Universen in der falschen Reihenfolge der Bytes</translation>
     </message>
     <message>
         <source>nothing comes for %1 any more, since %2: the last look is held. %3: cable pulled %4 ago, which may be why</source>
-        <translation>seit %2 kommt nichts mehr für %1: der letzte Stand wird gehalten. %3: vor %4 wurde das Kabel gezogen, was der Grund sein kann</translation>
+        <translation>seit %2 kommt nichts mehr für %1: das letzte Bild wird gehalten. %3: vor %4 wurde das Kabel gezogen, was der Grund sein kann</translation>
     </message>
     <message>
         <source>nothing comes for %1 any more, since %2: black (--on-loss). %3: cable pulled %4 ago, which may be why</source>
@@ -5719,7 +5671,7 @@ Bitte den Namen des Ordners prüfen.</translation>
     </message>
     <message>
         <source>nothing comes for %1 any more, since %2: the last look is held. %3: gone %4 ago, which may be why</source>
-        <translation>seit %2 kommt nichts mehr für %1: der letzte Stand wird gehalten. %3: seit %4 fort, was der Grund sein kann</translation>
+        <translation>seit %2 kommt nichts mehr für %1: das letzte Bild wird gehalten. %3: seit %4 fort, was der Grund sein kann</translation>
     </message>
     <message>
         <source>nothing comes for %1 any more, since %2: black (--on-loss). %3: gone %4 ago, which may be why</source>
@@ -5827,11 +5779,11 @@ Bitte den Namen des Ordners prüfen.</translation>
     </message>
     <message>
         <source>%1 comes from more than one source of equal priority, %2, and they differ on up to %3: %4. None of these is now above 0 at two of them, so they may be meant to share</source>
-        <translation>%1 kommt von mehr als einer Quelle gleicher Priorität, %2, und sie unterscheiden sich auf bis zu %3: %4. Keiner davon ist jetzt bei zweien über 0, sie teilen ihn sich vielleicht mit Absicht</translation>
+        <translation>%1 kommt von mehr als einer Quelle gleicher Priorität, %2, und sie unterscheiden sich um bis zu %3: %4. Keiner davon ist jetzt bei zweien über 0, sie teilen ihn sich vielleicht mit Absicht</translation>
     </message>
     <message>
         <source>%1 come from more than one source of equal priority, %2, and they differ on up to %3: %4. None of these is now above 0 at two of them, so they may be meant to share</source>
-        <translation>%1 kommen von mehr als einer Quelle gleicher Priorität, %2, und sie unterscheiden sich auf bis zu %3: %4. Keiner davon ist jetzt bei zweien über 0, sie teilen sie sich vielleicht mit Absicht</translation>
+        <translation>%1 kommen von mehr als einer Quelle gleicher Priorität, %2, und sie unterscheiden sich um bis zu %3: %4. Keiner davon ist jetzt bei zweien über 0, sie teilen sie sich vielleicht mit Absicht</translation>
     </message>
     <message>
         <source>packets for %1 arrive (%2), nothing is patched there; the show wants %3; %4 is %5 with its two bytes exchanged: if that is meant, the sender writes them in the wrong order</source>
@@ -5844,6 +5796,574 @@ Bitte den Namen des Ordners prüfen.</translation>
     <message>
         <source>%1. To tell them apart: where &apos;%2&apos; shows packets to an address of ours, to its broadcast or to the group of a universe of ours (239.255.0.1, ff18::.. for 1), a firewall or the reverse path filter of this machine drops them, or their sender has an address of ours; to another broadcast, the masks differ; to another group, it is another universe; where it shows none at all, they do not get here: a cable, another VLAN, a switch that holds multicast back (IGMP snooping without a querier), or a desk that is silent</source>
         <translation>%1. So unterscheidet man sie: wo &apos;%2&apos; Pakete an eine Adresse von uns, an deren Broadcast oder an die Gruppe eines Universums von uns zeigt (239.255.0.1, ff18::.. für 1), verwirft sie eine Firewall oder der Rückwegfilter (rp_filter) dieses Rechners, oder ihr Sender hat eine Adresse von uns; an einen anderen Broadcast, dann sind die Masken verschieden; an eine andere Gruppe, dann ist es ein anderes Universum; wo es gar keine zeigt, kommen sie nicht bis hierher: ein Kabel, ein anderes VLAN, ein Switch, der Multicast zurückhält (IGMP-Snooping ohne Querier), oder ein Pult, das schweigt</translation>
+    </message>
+    <message>
+        <source>there is no DMX: %1 and no desk is listened to; all channels keep their defaults, and %2</source>
+        <translation>es gibt kein DMX: %1, und auf kein Pult wird gehört; alle Kanäle behalten ihre Grundwerte, und %2</translation>
+    </message>
+    <message>
+        <source>there is no DMX: %1 and no desk is listened to; all channels keep their defaults</source>
+        <translation>es gibt kein DMX: %1, und auf kein Pult wird gehört; alle Kanäle behalten ihre Grundwerte</translation>
+    </message>
+    <message>
+        <source>universe %1 is not in the recording, which has %2 and %3 more</source>
+        <translation>Universum %1 ist nicht in der Aufzeichnung; sie hat %2 und %3 weitere</translation>
+    </message>
+    <message>
+        <source>universe %1 is not in the recording, which has %2 and %3</source>
+        <translation>Universum %1 ist nicht in der Aufzeichnung; sie hat %2 und %3</translation>
+    </message>
+    <message>
+        <source>universe %1 never arrived in %2 s; what arrives is %3 and %4 more</source>
+        <translation>Universum %1 kam in %2 s nie an; an kommen %3 und %4 weitere</translation>
+    </message>
+    <message>
+        <source>universe %1 never arrived in %2 s; what arrives is %3 and %4</source>
+        <translation>Universum %1 kam in %2 s nie an; an kommen %3 und %4</translation>
+    </message>
+    <message>
+        <source>the dimmer on %1 of function %2, that is %3; its coarse byte is at 0 and its fine one at %4: a fader at its foot, or a desk that sends the fine byte first (16-bit order)</source>
+        <translation>der Dimmer auf %1 mit Funktion %2, das ist %3; sein grobes Byte steht auf 0 und sein feines auf %4: ein Fader ganz unten oder ein Pult, das das feine Byte zuerst sendet (16-Bit-Reihenfolge)</translation>
+    </message>
+    <message>
+        <source>gobo wheel &apos;%1&apos; stands between &apos;%2&apos; and &apos;%3&apos; and lets only %4 of the light through</source>
+        <translation>das Goborad &apos;%1&apos; steht zwischen &apos;%2&apos; und &apos;%3&apos; und lässt nur %4 des Lichts durch</translation>
+    </message>
+    <message>
+        <source>the zoom on %1, which the file calls %2: no angle of a lamp; drawn is a field of %3 deg</source>
+        <translation>der Zoom auf %1, was die Datei %2 nennt: kein Winkel einer Lampe; gezeichnet wird ein Feld von %3°</translation>
+    </message>
+    <message>
+        <source>the file gives its beam %1 deg: no angle of a lamp; drawn is a field of %2 deg</source>
+        <translation>die Datei gibt seinem Strahl %1°: kein Winkel einer Lampe; gezeichnet wird ein Feld von %2°</translation>
+    </message>
+    <message>
+        <source>its mode is not in the file: &apos;%1&apos; has no mode &apos;%2&apos;, did you mean &apos;%3&apos;? (modes: %4); it gets &apos;%5&apos;, whose channels mean other things; %6</source>
+        <translation>sein Modus fehlt in der Datei: &apos;%1&apos; hat keinen Modus &apos;%2&apos;, vielleicht &apos;%3&apos;? (Modi: %4); es bekommt &apos;%5&apos;, dessen Kanäle anderes bedeuten; %6</translation>
+    </message>
+    <message>
+        <source>its mode is not in the file: &apos;%1&apos; has no mode &apos;%2&apos;, did you mean &apos;%3&apos;? (modes: %4); it gets &apos;%5&apos;, whose channels mean other things</source>
+        <translation>sein Modus fehlt in der Datei: &apos;%1&apos; hat keinen Modus &apos;%2&apos;, vielleicht &apos;%3&apos;? (Modi: %4); es bekommt &apos;%5&apos;, dessen Kanäle anderes bedeuten</translation>
+    </message>
+    <message>
+        <source>its mode is not in the file: &apos;%1&apos; has no mode &apos;%2&apos; (modes: %3); it gets &apos;%4&apos;, whose channels mean other things; %5</source>
+        <translation>sein Modus fehlt in der Datei: &apos;%1&apos; hat keinen Modus &apos;%2&apos; (Modi: %3); es bekommt &apos;%4&apos;, dessen Kanäle anderes bedeuten; %5</translation>
+    </message>
+    <message>
+        <source>its mode is not in the file: &apos;%1&apos; has no mode &apos;%2&apos; (modes: %3); it gets &apos;%4&apos;, whose channels mean other things</source>
+        <translation>sein Modus fehlt in der Datei: &apos;%1&apos; hat keinen Modus &apos;%2&apos; (Modi: %3); es bekommt &apos;%4&apos;, dessen Kanäle anderes bedeuten</translation>
+    </message>
+    <message>
+        <source>%1. Art-Net that a desk broadcasts to 2.255.255.255 and 10.255.255.255 (one in 2.x.x.x or 10.x.x.x with the mask 255.0.0.0) does not arrive at our address and mask, which take %4 and 255.255.255.255: give both machines one network and one mask</source>
+        <translation>%1. Art-Net, das ein Pult an 2.255.255.255 und 10.255.255.255 sendet (eines in 2.x.x.x oder 10.x.x.x mit der Maske 255.0.0.0), kommt bei unserer Adresse und Maske nicht an, die %4 und 255.255.255.255 annehmen: beiden Rechnern ein Netz und eine Maske geben</translation>
+    </message>
+    <message>
+        <source>%1. Art-Net that a desk broadcasts to 2.255.255.255 and 10.255.255.255 (one in 2.x.x.x or 10.x.x.x with the mask 255.0.0.0) does not arrive at our address and mask: give both machines one network and one mask</source>
+        <translation>%1. Art-Net, das ein Pult an 2.255.255.255 und 10.255.255.255 sendet (eines in 2.x.x.x oder 10.x.x.x mit der Maske 255.0.0.0), kommt bei unserer Adresse und Maske nicht an: beiden Rechnern ein Netz und eine Maske geben</translation>
+    </message>
+    <message>
+        <source>%1. Art-Net that a desk broadcasts to %2 (one in %3 with the mask 255.0.0.0) does not arrive at our address and mask: give both machines one network and one mask</source>
+        <translation>%1. Art-Net, das ein Pult an %2 sendet (eines in %3 mit der Maske 255.0.0.0), kommt bei unserer Adresse und Maske nicht an: beiden Rechnern ein Netz und eine Maske geben</translation>
+    </message>
+    <message>
+        <source>nothing arrives: is the desk&apos;s output on, is it in this network, and is no firewall on UDP %1 and %2 in the way? We listen on %3</source>
+        <translation>nichts kommt an: Ist die Ausgabe des Pults an, ist es in diesem Netzwerk, und ist keine Firewall auf UDP %1 und %2 im Weg? Gehört wird auf %3</translation>
+    </message>
+    <message>
+        <source>nothing arrives: is the desk&apos;s output on, is it in this network, does it send to a universe of ours? We listen on %1</source>
+        <translation>nichts kommt an: Ist die Ausgabe des Pults an, ist es in diesem Netzwerk, sendet es an ein Universum von uns? Gehört wird auf %1</translation>
+    </message>
+    <message>
+        <source>no levels arrive, though %1: is the desk&apos;s output on, is it in this network, and is no firewall on UDP %2 and %3 in the way? We listen on %4</source>
+        <translation>keine Werte kommen an, obwohl %1: Ist die Ausgabe des Pults an, ist es in diesem Netzwerk, und ist keine Firewall auf UDP %2 und %3 im Weg? Gehört wird auf %4</translation>
+    </message>
+    <message>
+        <source>%1, also for %2 universes around</source>
+        <translation>%1, dazu nach %2 Universen ringsum</translation>
+    </message>
+    <message>
+        <source>%1, also for %2 universe around</source>
+        <translation>%1, dazu nach %2 Universum ringsum</translation>
+    </message>
+    <message>
+        <source>%1. With --artnet-offset %2 the first Port-Addresses have no universe</source>
+        <translation>%1. Mit --artnet-offset %2 haben die ersten Port-Adressen kein Universum</translation>
+    </message>
+    <message>
+        <source>%1 fixtures on %2 (&apos;%3&apos;, ...), no levels arrive there (in Art-Net: Port-Address %4)</source>
+        <translation>%1 Geräte auf %2 (&apos;%3&apos;, ...), dort kommen keine Werte an (in Art-Net: Port-Adresse %4)</translation>
+    </message>
+    <message>
+        <source>%1 fixture on %2 (&apos;%3&apos;), no levels arrive there (in Art-Net: Port-Address %4)</source>
+        <translation>%1 Gerät auf %2 (&apos;%3&apos;), dort kommen keine Werte an (in Art-Net: Port-Adresse %4)</translation>
+    </message>
+    <message>
+        <source>off by one? %1 comes for %2 (from Port-Address %3 on), fixtures are on %4: %5</source>
+        <translation>um eins verschoben? %1 kommt für %2 (ab Port-Adresse %3), Geräte liegen auf %4: %5</translation>
+    </message>
+    <message>
+        <source>off by one? %1 is announced for %2 (from Port-Address %3 on) by %4, fixtures are on %5: %6</source>
+        <translation>um eins verschoben? %1 ist für %2 (ab Port-Adresse %3) von %4 gemeldet, Geräte liegen auf %5: %6</translation>
+    </message>
+    <message>
+        <source>%1; in Art-Net that is Net:Sub-Net:Universe %2, the show wants %3: the same numbers in another order</source>
+        <translation>%1; in Art-Net ist das Net:Sub-Net:Universe %2, die Show will %3: dieselben Zahlen in anderer Reihenfolge</translation>
+    </message>
+    <message>
+        <source>%1, nothing is patched there; the show wants %2</source>
+        <translation>%1, dort ist nichts gepatcht; die Show will %2</translation>
+    </message>
+    <message>
+        <source>%1, nothing is patched there</source>
+        <translation>%1, dort ist nichts gepatcht</translation>
+    </message>
+    <message>
+        <source>this machine dropped %1 in the last seconds: it is too busy, the sockets&apos; buffers are too small (as root: sysctl -w net.core.rmem_max=4194304), or somebody&apos;s packets have wrong checksums</source>
+        <translation>dieser Rechner hat in den letzten Sekunden %1 verworfen: er ist überlastet, die Puffer der Sockets sind zu klein (als root: sysctl -w net.core.rmem_max=4194304), oder jemandes Pakete haben falsche Prüfsummen</translation>
+    </message>
+    <message>
+        <source>the port is taken by %1, which does not share it; close it and try again</source>
+        <translation>den Port hat %1 und teilt ihn nicht; dort schließen und neu versuchen</translation>
+    </message>
+    <message>
+        <source>cannot listen: %1</source>
+        <translation>Hören geht nicht: %1</translation>
+    </message>
+    <message>
+        <source>%1 on universe %2 and others</source>
+        <translation>%1 auf Universum %2 und andere</translation>
+    </message>
+    <message>
+        <source>without levels</source>
+        <translation>ohne Werte</translation>
+    </message>
+    <message>
+        <source>%1, no cable), %2</source>
+        <translation>%1, kein Kabel), %2</translation>
+    </message>
+    <message>
+        <source>%1, no cable)</source>
+        <translation>%1, kein Kabel)</translation>
+    </message>
+    <message>
+        <source>no network but this machine&apos;s own</source>
+        <translation>kein Netz außer dem eigenen dieses Rechners</translation>
+    </message>
+    <message>
+        <source>%1; %2 announces %3</source>
+        <translation>%1; %2 meldet %3</translation>
+    </message>
+    <message>
+        <source>%1 announces %2</source>
+        <translation>%1 meldet %2</translation>
+    </message>
+    <message>
+        <source>%1, which --universes can name</source>
+        <translation>%1, zu nennen mit --universes</translation>
+    </message>
+    <message>
+        <source>a program of another user</source>
+        <translation>ein Programm eines anderen Benutzers</translation>
+    </message>
+    <message>
+        <source>a program (pid %1)</source>
+        <translation>ein Programm (pid %1)</translation>
+    </message>
+    <message>
+        <source>another program</source>
+        <translation>ein anderes Programm</translation>
+    </message>
+    <message>
+        <source>%1) and others</source>
+        <translation>%1) und andere</translation>
+    </message>
+    <message>
+        <source>%1) and &apos;%2&apos; (%3)</source>
+        <translation>%1) und &apos;%2&apos; (%3)</translation>
+    </message>
+    <message>
+        <source>%1) and %2 (Art-Net)</source>
+        <translation>%1) und %2 (Art-Net)</translation>
+    </message>
+    <message>
+        <source>%1) and %2 (sACN)</source>
+        <translation>%1) und %2 (sACN)</translation>
+    </message>
+    <message>
+        <source>%1) and %2 (USB)</source>
+        <translation>%1) und %2 (USB)</translation>
+    </message>
+    <message>
+        <source>%1) and %2 more</source>
+        <translation>%1) und %2 weitere</translation>
+    </message>
+    <message>
+        <source>%1 (priority %2)</source>
+        <translation>%1 (Priorität %2)</translation>
+    </message>
+    <message>
+        <source>%1 (priority %2 at most, one for each address)</source>
+        <translation>%1 (Priorität höchstens %2, eine je Adresse)</translation>
+    </message>
+    <message>
+        <source>%1 with %2 slots at %3</source>
+        <translation>%1 mit %2 Kanälen bei %3</translation>
+    </message>
+    <message>
+        <source>%1 with %2 slot at %3</source>
+        <translation>%1 mit %2 Kanal bei %3</translation>
+    </message>
+    <message>
+        <source>%1 Hz and %2 with %3 slots at %4</source>
+        <translation>%1 Hz und %2 mit %3 Kanälen bei %4</translation>
+    </message>
+    <message>
+        <source>%1 Hz and %2 with %3 slot at %4</source>
+        <translation>%1 Hz und %2 mit %3 Kanal bei %4</translation>
+    </message>
+    <message>
+        <source>%1 Hz, %2 with %3 slots at %4</source>
+        <translation>%1 Hz, %2 mit %3 Kanälen bei %4</translation>
+    </message>
+    <message>
+        <source>%1 Hz, %2 with %3 slot at %4</source>
+        <translation>%1 Hz, %2 mit %3 Kanal bei %4</translation>
+    </message>
+    <message>
+        <source>%1 Hz and %2 more</source>
+        <translation>%1 Hz und %2 weitere</translation>
+    </message>
+    <message>
+        <source>Art-Net merges two; there %1 and %2 have the places of Art-Net, and one that is silent for %3 makes room</source>
+        <translation>Art-Net mischt zwei; dort haben %1 und %2 die Plätze von Art-Net, und eines, das %3 still ist, macht Platz</translation>
+    </message>
+    <message>
+        <source>%1 (silent for %2)</source>
+        <translation>%1 (still seit %2)</translation>
+    </message>
+    <message>
+        <source>%1, channel %2</source>
+        <translation>%1, Kanal %2</translation>
+    </message>
+    <message>
+        <source>%1 and channel %2</source>
+        <translation>%1 und Kanal %2</translation>
+    </message>
+    <message>
+        <source>channel %1 and %2 more</source>
+        <translation>Kanal %1 und %2 weitere</translation>
+    </message>
+    <message>
+        <source>%1 of break %2</source>
+        <translation>%1 von Break %2</translation>
+    </message>
+    <message>
+        <source>%1 is at its default %2</source>
+        <translation>%1 steht auf dem Grundwert %2</translation>
+    </message>
+    <message>
+        <source>%1 is at %2</source>
+        <translation>%1 steht auf %2</translation>
+    </message>
+    <message>
+        <source>channel %1, value %2</source>
+        <translation>Kanal %1, Wert %2</translation>
+    </message>
+    <message>
+        <source>%1 on channel %2</source>
+        <translation>%1 auf Kanal %2</translation>
+    </message>
+    <message>
+        <source>%1 on channel %2, value %3</source>
+        <translation>%1 auf Kanal %2, Wert %3</translation>
+    </message>
+    <message>
+        <source>the show has no recording</source>
+        <translation>die Show hat keine Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>its recording %1 is missing</source>
+        <translation>ihre Aufzeichnung %1 fehlt</translation>
+    </message>
+    <message>
+        <source>cyan %1</source>
+        <translation>Cyan %1</translation>
+    </message>
+    <message>
+        <source>magenta %1</source>
+        <translation>Magenta %1</translation>
+    </message>
+    <message>
+        <source>yellow %1</source>
+        <translation>Gelb %1</translation>
+    </message>
+    <message>
+        <source>%1, magenta %2</source>
+        <translation>%1, Magenta %2</translation>
+    </message>
+    <message>
+        <source>%1 and magenta %2</source>
+        <translation>%1 und Magenta %2</translation>
+    </message>
+    <message>
+        <source>%1, yellow %2</source>
+        <translation>%1, Gelb %2</translation>
+    </message>
+    <message>
+        <source>%1 and yellow %2</source>
+        <translation>%1 und Gelb %2</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; of &apos;%2&apos;</source>
+        <translation>&apos;%1&apos; von &apos;%2&apos;</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; and &apos;%2&apos; of &apos;%3&apos;</source>
+        <translation>&apos;%1&apos; und &apos;%2&apos; von &apos;%3&apos;</translation>
+    </message>
+    <message>
+        <source>%1, &apos;%2&apos; of &apos;%3&apos;</source>
+        <translation>%1, &apos;%2&apos; von &apos;%3&apos;</translation>
+    </message>
+    <message>
+        <source>%1, &apos;%2&apos; and &apos;%3&apos; of &apos;%4&apos;</source>
+        <translation>%1, &apos;%2&apos; und &apos;%3&apos; von &apos;%4&apos;</translation>
+    </message>
+    <message>
+        <source>%1 and &apos;%2&apos; of &apos;%3&apos;</source>
+        <translation>%1 und &apos;%2&apos; von &apos;%3&apos;</translation>
+    </message>
+    <message>
+        <source>%1 and &apos;%2&apos; and &apos;%3&apos; of &apos;%4&apos;</source>
+        <translation>%1 und &apos;%2&apos; und &apos;%3&apos; von &apos;%4&apos;</translation>
+    </message>
+    <message>
+        <source>the colour</source>
+        <translation>die Farbe</translation>
+    </message>
+    <message>
+        <source>%1 in on channel %2</source>
+        <translation>%1 eingeschoben auf Kanal %2</translation>
+    </message>
+    <message>
+        <source>top %1</source>
+        <translation>oben %1</translation>
+    </message>
+    <message>
+        <source>right %1</source>
+        <translation>rechts %1</translation>
+    </message>
+    <message>
+        <source>bottom %1</source>
+        <translation>unten %1</translation>
+    </message>
+    <message>
+        <source>left %1</source>
+        <translation>links %1</translation>
+    </message>
+    <message>
+        <source>%1, right %2</source>
+        <translation>%1, rechts %2</translation>
+    </message>
+    <message>
+        <source>%1, bottom %2</source>
+        <translation>%1, unten %2</translation>
+    </message>
+    <message>
+        <source>%1, left %2</source>
+        <translation>%1, links %2</translation>
+    </message>
+    <message>
+        <source>what it gives</source>
+        <translation>was es gibt</translation>
+    </message>
+    <message>
+        <source>no such file %1, did you mean &apos;%2&apos;?</source>
+        <translation>die Datei %1 gibt es nicht, vielleicht &apos;%2&apos;?</translation>
+    </message>
+    <message>
+        <source>no such file %1.</source>
+        <translation>die Datei %1 gibt es nicht.</translation>
+    </message>
+    <message>
+        <source>%1 is not a plain file.</source>
+        <translation>%1 ist keine gewöhnliche Datei.</translation>
+    </message>
+    <message>
+        <source>cannot look for %1: %2.</source>
+        <translation>%1 kann nicht gesucht werden: %2.</translation>
+    </message>
+    <message>
+        <source>%1: has no DMX mode</source>
+        <translation>%1: hat keinen DMX-Modus</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos;, another kind of fixture, has the same address %2; %3</source>
+        <translation>&apos;%1&apos;, ein anderer Gerätetyp, hat dieselbe Adresse %2; %3</translation>
+    </message>
+    <message>
+        <source>%1 fixtures on %2 (&apos;%3&apos;, ...), no levels arrive there (in Art-Net: Port-Address %4); packets arrive that cannot be read (%5)</source>
+        <translation>%1 Geräte auf %2 (&apos;%3&apos;, ...), dort kommen keine Werte an (in Art-Net: Port-Adresse %4); es kommen Pakete an, die nicht zu lesen sind (%5)</translation>
+    </message>
+    <message>
+        <source>%1 fixture on %2 (&apos;%3&apos;), no levels arrive there (in Art-Net: Port-Address %4); packets arrive that cannot be read (%5)</source>
+        <translation>%1 Gerät auf %2 (&apos;%3&apos;), dort kommen keine Werte an (in Art-Net: Port-Adresse %4); es kommen Pakete an, die nicht zu lesen sind (%5)</translation>
+    </message>
+    <message>
+        <source>the dimmer on %1 of function %2, that is %3; its coarse byte is at 0 and its fine one at %4: a fader at its foot, or a desk that sends the fine byte first (16-bit order); so is %5</source>
+        <translation>der Dimmer auf %1 mit Funktion %2, das ist %3; sein grobes Byte steht auf 0 und sein feines auf %4: ein Fader ganz unten oder ein Pult, das das feine Byte zuerst sendet (16-Bit-Reihenfolge); ebenso %5</translation>
+    </message>
+    <message>
+        <source>the dimmer on %1 of function %2, that is %3; its coarse byte is at 0 and its fine one at %4: a fader at its foot, or a desk that sends the fine byte first (16-bit order); so are %5</source>
+        <translation>der Dimmer auf %1 mit Funktion %2, das ist %3; sein grobes Byte steht auf 0 und sein feines auf %4: ein Fader ganz unten oder ein Pult, das das feine Byte zuerst sendet (16-Bit-Reihenfolge); ebenso %5</translation>
+    </message>
+    <message>
+        <source>%1; %2: packets without a single level, also for %3 universes around</source>
+        <translation>%1; %2: Pakete ohne einen einzigen Wert, dazu nach %3 Universen ringsum</translation>
+    </message>
+    <message>
+        <source>%1; %2: packets without a single level, also for %3 universe around</source>
+        <translation>%1; %2: Pakete ohne einen einzigen Wert, dazu nach %3 Universum ringsum</translation>
+    </message>
+    <message>
+        <source>%1; %2: only priorities per address (start code 0xDD), no levels, also for %3 universes around</source>
+        <translation>%1; %2: nur Prioritäten je Adresse (Startcode 0xDD), keine Werte, dazu nach %3 Universen ringsum</translation>
+    </message>
+    <message>
+        <source>%1; %2: only priorities per address (start code 0xDD), no levels, also for %3 universe around</source>
+        <translation>%1; %2: nur Prioritäten je Adresse (Startcode 0xDD), keine Werte, dazu nach %3 Universum ringsum</translation>
+    </message>
+    <message>
+        <source>%1 slot at %2</source>
+        <translation>%1 Kanal bei %2</translation>
+    </message>
+    <message>
+        <source>%1 Hz, %2 with %3</source>
+        <translation>%1 Hz, %2 mit %3</translation>
+    </message>
+    <message>
+        <source>%1 beams, the brightest &apos;%2&apos;: %3 of %4</source>
+        <translation>%1 Strahlen, der hellste &apos;%2&apos;: %3 von %4</translation>
+    </message>
+    <message>
+        <source>lamp %1</source>
+        <translation>Lampe %1</translation>
+    </message>
+    <message>
+        <source>%1 x lamp %2</source>
+        <translation>%1 × Lampe %2</translation>
+    </message>
+    <message>
+        <source>dimmer %1</source>
+        <translation>Dimmer %1</translation>
+    </message>
+    <message>
+        <source>%1 x dimmer %2</source>
+        <translation>%1 × Dimmer %2</translation>
+    </message>
+    <message>
+        <source>master %1</source>
+        <translation>Master %1</translation>
+    </message>
+    <message>
+        <source>%1 x master %2</source>
+        <translation>%1 × Master %2</translation>
+    </message>
+    <message>
+        <source>shutter %1</source>
+        <translation>Shutter %1</translation>
+    </message>
+    <message>
+        <source>%1 x shutter %2</source>
+        <translation>%1 × Shutter %2</translation>
+    </message>
+    <message>
+        <source>strobe %1</source>
+        <translation>Strobe %1</translation>
+    </message>
+    <message>
+        <source>%1 x strobe %2</source>
+        <translation>%1 × Strobe %2</translation>
+    </message>
+    <message>
+        <source>mixed colour %1</source>
+        <translation>gemischte Farbe %1</translation>
+    </message>
+    <message>
+        <source>%1 x mixed colour %2</source>
+        <translation>%1 × gemischte Farbe %2</translation>
+    </message>
+    <message>
+        <source>emitters %1</source>
+        <translation>Emitter %1</translation>
+    </message>
+    <message>
+        <source>%1 x emitters %2</source>
+        <translation>%1 × Emitter %2</translation>
+    </message>
+    <message>
+        <source>colour correction %1</source>
+        <translation>Farbkorrektur %1</translation>
+    </message>
+    <message>
+        <source>%1 x colour correction %2</source>
+        <translation>%1 × Farbkorrektur %2</translation>
+    </message>
+    <message>
+        <source>colour %1</source>
+        <translation>Farbe %1</translation>
+    </message>
+    <message>
+        <source>%1 x colour %2</source>
+        <translation>%1 × Farbe %2</translation>
+    </message>
+    <message>
+        <source>picture %1</source>
+        <translation>Bild %1</translation>
+    </message>
+    <message>
+        <source>%1 x picture %2</source>
+        <translation>%1 × Bild %2</translation>
+    </message>
+    <message>
+        <source>animation wheel %1</source>
+        <translation>Animationsrad %1</translation>
+    </message>
+    <message>
+        <source>%1 x animation wheel %2</source>
+        <translation>%1 × Animationsrad %2</translation>
+    </message>
+    <message>
+        <source>gobo %1</source>
+        <translation>Gobo %1</translation>
+    </message>
+    <message>
+        <source>%1 x gobo %2</source>
+        <translation>%1 × Gobo %2</translation>
+    </message>
+    <message>
+        <source>iris %1</source>
+        <translation>Iris %1</translation>
+    </message>
+    <message>
+        <source>%1 x iris %2</source>
+        <translation>%1 × Iris %2</translation>
+    </message>
+    <message>
+        <source>blades %1</source>
+        <translation>Blenden %1</translation>
+    </message>
+    <message>
+        <source>%1 x blades %2</source>
+        <translation>%1 × Blenden %2</translation>
+    </message>
+    <message>
+        <source>other optics %1</source>
+        <translation>übrige Optik %1</translation>
+    </message>
+    <message>
+        <source>%1 x other optics %2</source>
+        <translation>%1 × übrige Optik %2</translation>
     </message>
 </context>
 <context>

@@ -277,7 +277,6 @@ def write(path, outcomes, well):
              "| what was done wrong | named | window | in words |", "|---|---|---|---|"]
     for o in outcomes:
         words = o.text.split("\n")[-1].replace("|", "\\|").replace(f"{SOURCE}/", "")
-        words = words if len(words) < 340 else words[:337] + "..."
         lines.append(f"| {o.what} | `{o.named}`{'' if o.named == o.wanted else ' (wrong)'} | {'yes' if o.compared else ''} | {words} |")
     lines += ["", "## Confusion matrix", "", "Each finding, how many mistakes it is the right one of, how many of these it named, and what else was said beside it.", "",
               "| finding | mistakes | named | missed | said of another mistake instead | said beside the right one |", "|---|---|---|---|---|---|"]

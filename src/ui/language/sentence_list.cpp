@@ -10,6 +10,42 @@ namespace {
 
 constexpr const char* kSentences[] = {
     // why a fixture is lit or dark
+    QT_TRANSLATE_NOOP(
+        "Sentence",
+        "there is no DMX: %1 and no desk is listened to; all channels keep their defaults, and %2"),
+    QT_TRANSLATE_NOOP("Sentence",
+                      "there is no DMX: %1 and no desk is listened to; all channels keep their defaults"),
+    QT_TRANSLATE_NOOP("Sentence", "universe %1 is not in the recording, which has %2 and %3 more"),
+    QT_TRANSLATE_NOOP("Sentence", "universe %1 is not in the recording, which has %2 and %3"),
+    QT_TRANSLATE_NOOP("Sentence", "universe %1 never arrived in %2 s; what arrives is %3 and %4 more"),
+    QT_TRANSLATE_NOOP("Sentence", "universe %1 never arrived in %2 s; what arrives is %3 and %4"),
+    QT_TRANSLATE_NOOP("Sentence",
+                      "the dimmer on %1 of function %2, that is %3; its coarse byte is at 0 and its fine one "
+                      "at %4: a fader at its foot, or a desk that sends the fine byte first (16-bit order)"),
+    QT_TRANSLATE_NOOP(
+        "Sentence",
+        "the dimmer on %1 of function %2, that is %3; its coarse byte is at 0 and its fine one at %4: a "
+        "fader at its foot, or a desk that sends the fine byte first (16-bit order); so is %5"),
+    QT_TRANSLATE_NOOP(
+        "Sentence",
+        "the dimmer on %1 of function %2, that is %3; its coarse byte is at 0 and its fine one at %4: a "
+        "fader at its foot, or a desk that sends the fine byte first (16-bit order); so are %5"),
+    QT_TRANSLATE_NOOP("Sentence",
+                      "gobo wheel '%1' stands between '%2' and '%3' and lets only %4 of the light through"),
+    QT_TRANSLATE_NOOP(
+        "Sentence",
+        "the zoom on %1, which the file calls %2: no angle of a lamp; drawn is a field of %3 deg"),
+    QT_TRANSLATE_NOOP("Sentence",
+                      "the file gives its beam %1 deg: no angle of a lamp; drawn is a field of %2 deg"),
+    QT_TRANSLATE_NOOP("Sentence", "'%1', another kind of fixture, has the same address %2; %3"),
+    QT_TRANSLATE_NOOP("Sentence", "its mode is not in the file: '%1' has no mode '%2', did you mean '%3'? "
+                                  "(modes: %4); it gets '%5', whose channels mean other things; %6"),
+    QT_TRANSLATE_NOOP("Sentence", "its mode is not in the file: '%1' has no mode '%2', did you mean '%3'? "
+                                  "(modes: %4); it gets '%5', whose channels mean other things"),
+    QT_TRANSLATE_NOOP("Sentence", "its mode is not in the file: '%1' has no mode '%2' (modes: %3); it gets "
+                                  "'%4', whose channels mean other things; %5"),
+    QT_TRANSLATE_NOOP("Sentence", "its mode is not in the file: '%1' has no mode '%2' (modes: %3); it gets "
+                                  "'%4', whose channels mean other things"),
     QT_TRANSLATE_NOOP("Sentence", "lit: %1"),
     QT_TRANSLATE_NOOP("Sentence", "dark because %1"),
     QT_TRANSLATE_NOOP("Sentence", "nearly dark (%1 of its light) because %2"),
@@ -20,12 +56,6 @@ constexpr const char* kSentences[] = {
     QT_TRANSLATE_NOOP("Sentence", "%1 of %2 lm, %3, hits '%4' at %5 m with %6 lx"),
     QT_TRANSLATE_NOOP("Sentence", "%1 of %2 lm, %3, its middle hits nothing, its edge '%4'"),
     QT_TRANSLATE_NOOP("Sentence", "%1 of %2 lm, %3, hits nothing: it leaves the stage %4"),
-    QT_TRANSLATE_NOOP("Sentence", "beam %1 deg, cut to %2 x %3 deg"),
-    QT_TRANSLATE_NOOP("Sentence", "beam %1 deg"),
-    QT_TRANSLATE_NOOP("Sentence", "picture %1 x %2 deg"),
-    QT_TRANSLATE_NOOP("Sentence", "level"),
-    QT_TRANSLATE_NOOP("Sentence", "%1 degrees upwards"),
-    QT_TRANSLATE_NOOP("Sentence", "%1 degrees downwards"),
     QT_TRANSLATE_NOOP("Sentence", "mode '%1' has no Beam geometry: nothing in it can shine"),
     QT_TRANSLATE_NOOP("Sentence", "it gives %1 lm, less than 1 % of the brightest fixture (%2 lm)"),
     QT_TRANSLATE_NOOP("Sentence", "its mode is not in the file: %1"),
@@ -83,12 +113,9 @@ constexpr const char* kSentences[] = {
     QT_TRANSLATE_NOOP("Sentence", "its strobe is between two flashes at this moment: function %1 on %2, "
                                   "value %3, flashes %4 times a second"),
     QT_TRANSLATE_NOOP("Sentence", "its strobe is between two flashes at this moment"),
-    QT_TRANSLATE_NOOP("Sentence", "%1 let only %2 of the light through"),
-    QT_TRANSLATE_NOOP("Sentence", "%1 lets only %2 of the light through"),
     QT_TRANSLATE_NOOP("Sentence", "the framing blades (%1) let only %2 of what the iris leaves through"),
     QT_TRANSLATE_NOOP("Sentence", "the framing blades (%1) let only %2 of the light through"),
     QT_TRANSLATE_NOOP("Sentence", "the animation wheel lets only %1 of the light through (%2)"),
-    QT_TRANSLATE_NOOP("Sentence", "the animation wheel"),
     QT_TRANSLATE_NOOP("Sentence",
                       "gobo wheel '%1' stands at '%2' and lets only %3 of the light through (%4)"),
     QT_TRANSLATE_NOOP("Sentence", "gobo wheel '%1' stands at '%2' and lets only %3 of the light through"),
@@ -109,22 +136,7 @@ constexpr const char* kSentences[] = {
     QT_TRANSLATE_NOOP("Sentence", "'%1' is right before its lens (%2 cm) and stops the light"),
     QT_TRANSLATE_NOOP("Sentence", "it points %1 and away from everything; only its beam in the haze is seen"),
     QT_TRANSLATE_NOOP("Sentence", "it points %1 and away from everything; there is no haze to show its beam"),
-    QT_TRANSLATE_NOOP("Sentence", "%1 leaves %2 of %3 lm"),
-    QT_TRANSLATE_NOOP("Sentence", "channel %1 (%2) is at its default %3"),
-    QT_TRANSLATE_NOOP("Sentence", "channel %1 (%2) is at %3"),
-    QT_TRANSLATE_NOOP("Sentence", "channel %1 (%2), %3"),
-    QT_TRANSLATE_NOOP("Sentence", "channel %1 (%2) and %3"),
-    QT_TRANSLATE_NOOP("Sentence", "channel %1 (%2)"),
-    QT_TRANSLATE_NOOP("Sentence", "channel %1"),
-    QT_TRANSLATE_NOOP("Sentence", "cyan %1 on %2"),
-    QT_TRANSLATE_NOOP("Sentence", "magenta %1 on %2"),
-    QT_TRANSLATE_NOOP("Sentence", "yellow %1 on %2"),
-    QT_TRANSLATE_NOOP("Sentence", "the virtual channel '%1'"),
-    QT_TRANSLATE_NOOP("Sentence", "the other channels"),
     QT_TRANSLATE_NOOP("Sentence", "slot %1 '%2' of '%3'"),
-    QT_TRANSLATE_NOOP("Sentence", "nothing"),
-    QT_TRANSLATE_NOOP("Sentence", "universe %1"),
-    QT_TRANSLATE_NOOP("Sentence", "universes %1"),
     // reasons, as groups of dark fixtures
     QT_TRANSLATE_NOOP("Sentence", "their fixture file is missing or cannot be read"),
     QT_TRANSLATE_NOOP("Sentence", "another fixture has their address"),
@@ -173,20 +185,69 @@ constexpr const char* kSentences[] = {
                                   "address there is 0, or above 200, which is none; nobody holds it"),
     QT_TRANSLATE_NOOP("Sentence", "%1, priority none for this address) sends %2 on %3 but says by its "
                                   "priority per address that the channel is not its own; nobody holds it"),
-    QT_TRANSLATE_NOOP("Sentence", "%1, priority none for this address)"),
-    QT_TRANSLATE_NOOP("Sentence", "%1, priority %2 for this address)"),
-    QT_TRANSLATE_NOOP("Sentence", "%1, priority %2)"),
     QT_TRANSLATE_NOOP("Sentence", "nobody holds their channels"),
     QT_TRANSLATE_NOOP("Sentence", "a source of higher priority overrides another"),
     QT_TRANSLATE_NOOP("Sentence", "two sources of equal priority send different things"),
     // the network
+    QT_TRANSLATE_NOOP("Sentence",
+                      "%1. Art-Net that a desk broadcasts to 2.255.255.255 and 10.255.255.255 (one in "
+                      "2.x.x.x or 10.x.x.x with the mask 255.0.0.0) does not arrive at our address and mask, "
+                      "which take %4 and 255.255.255.255: give both machines one network and one mask"),
+    QT_TRANSLATE_NOOP("Sentence", "%1. Art-Net that a desk broadcasts to 2.255.255.255 and 10.255.255.255 "
+                                  "(one in 2.x.x.x or 10.x.x.x with the mask 255.0.0.0) does not arrive at "
+                                  "our address and mask: give both machines one network and one mask"),
+    QT_TRANSLATE_NOOP(
+        "Sentence",
+        "%1. Art-Net that a desk broadcasts to %2 (one in %3 with the mask 255.0.0.0) does not arrive at our "
+        "address and mask, which take %4 and 255.255.255.255: give both machines one network and one mask"),
+    QT_TRANSLATE_NOOP("Sentence",
+                      "%1. Art-Net that a desk broadcasts to %2 (one in %3 with the mask 255.0.0.0) does not "
+                      "arrive at our address and mask: give both machines one network and one mask"),
+    QT_TRANSLATE_NOOP("Sentence", "nothing arrives: is the desk's output on, is it in this network, and is "
+                                  "no firewall on UDP %1 and %2 in the way? We listen on %3"),
+    QT_TRANSLATE_NOOP("Sentence", "nothing arrives: is the desk's output on, is it in this network, does it "
+                                  "send to a universe of ours? We listen on %1"),
+    QT_TRANSLATE_NOOP("Sentence", "no levels arrive, though %1: is the desk's output on, is it in this "
+                                  "network, and is no firewall on UDP %2 and %3 in the way? We listen on %4"),
+    QT_TRANSLATE_NOOP("Sentence", "%1; %2: packets without a single level, also for %3 universes around"),
+    QT_TRANSLATE_NOOP("Sentence", "%1; %2: packets without a single level, also for %3 universe around"),
+    QT_TRANSLATE_NOOP(
+        "Sentence",
+        "%1; %2: only priorities per address (start code 0xDD), no levels, also for %3 universes around"),
+    QT_TRANSLATE_NOOP(
+        "Sentence",
+        "%1; %2: only priorities per address (start code 0xDD), no levels, also for %3 universe around"),
+    QT_TRANSLATE_NOOP("Sentence", "%1, also for %2 universes around"),
+    QT_TRANSLATE_NOOP("Sentence", "%1, also for %2 universe around"),
+    QT_TRANSLATE_NOOP("Sentence", "%1. With --artnet-offset %2 the first Port-Addresses have no universe"),
+    QT_TRANSLATE_NOOP("Sentence",
+                      "%1 fixtures on %2 ('%3', ...), no levels arrive there (in Art-Net: Port-Address %4)"),
+    QT_TRANSLATE_NOOP("Sentence",
+                      "%1 fixture on %2 ('%3'), no levels arrive there (in Art-Net: Port-Address %4)"),
+    QT_TRANSLATE_NOOP("Sentence", "%1 fixtures on %2 ('%3', ...), no levels arrive there (in Art-Net: "
+                                  "Port-Address %4); packets arrive that cannot be read (%5)"),
+    QT_TRANSLATE_NOOP("Sentence", "%1 fixture on %2 ('%3'), no levels arrive there (in Art-Net: Port-Address "
+                                  "%4); packets arrive that cannot be read (%5)"),
+    QT_TRANSLATE_NOOP("Sentence",
+                      "off by one? %1 comes for %2 (from Port-Address %3 on), fixtures are on %4: %5"),
+    QT_TRANSLATE_NOOP(
+        "Sentence",
+        "off by one? %1 is announced for %2 (from Port-Address %3 on) by %4, fixtures are on %5: %6"),
+    QT_TRANSLATE_NOOP("Sentence", "%1; in Art-Net that is Net:Sub-Net:Universe %2, the show wants %3: the "
+                                  "same numbers in another order"),
+    QT_TRANSLATE_NOOP("Sentence", "%1, nothing is patched there; the show wants %2"),
+    QT_TRANSLATE_NOOP("Sentence", "%1, nothing is patched there"),
+    QT_TRANSLATE_NOOP(
+        "Sentence",
+        "this machine dropped %1 in the last seconds: it is too busy, the sockets' buffers are too small (as "
+        "root: sysctl -w net.core.rmem_max=4194304), or somebody's packets have wrong checksums"),
+    QT_TRANSLATE_NOOP("Sentence", "the port is taken by %1, which does not share it; close it and try again"),
+    QT_TRANSLATE_NOOP("Sentence", "cannot listen: %1"),
     QT_TRANSLATE_NOOP("Sentence", "the interface %1 is down or gone: nothing is heard until it is back"),
     QT_TRANSLATE_NOOP(
         "Sentence",
         "no network interface is up: only a desk on this machine, by unicast to 127.0.0.1, can be heard"),
     QT_TRANSLATE_NOOP("Sentence", "%1 has no cable, or what is at its other end is off"),
-    QT_TRANSLATE_NOOP("Sentence", "nothing arrives: is the desk's output on, is it in this network, and is "
-                                  "no firewall on UDP 5568 and 6454 in the way? We listen on %1"),
     QT_TRANSLATE_NOOP("Sentence", "nothing arrives: is the desk's output on, is it in this network, and is "
                                   "no firewall on UDP %1 in the way? We listen on %2"),
     QT_TRANSLATE_NOOP("Sentence",
@@ -215,13 +276,9 @@ constexpr const char* kSentences[] = {
         "querier): unicast to %3 gets past both; or it announces what it does not send (its output is off)"),
     QT_TRANSLATE_NOOP("Sentence", "off by one? %1 comes for %2, fixtures are on %3: %4"),
     QT_TRANSLATE_NOOP("Sentence", "off by one? %1 is announced for %2 by %3, fixtures are on %4: %5"),
-    QT_TRANSLATE_NOOP("Sentence", "--artnet-offset %1 brings them together"),
-    QT_TRANSLATE_NOOP("Sentence", "move the desk's output or the show's patch by one"),
     QT_TRANSLATE_NOOP(
         "Sentence", "%1. If that is another system's (another hall, somebody's list), this show's desk is "
                     "silent or does not get here: its output, the network, a firewall on UDP 5568 and 6454"),
-    QT_TRANSLATE_NOOP("Sentence", "%1 announces %2, nothing is patched there; the show wants %3"),
-    QT_TRANSLATE_NOOP("Sentence", "%1 announces %2, nothing is patched there"),
     QT_TRANSLATE_NOOP(
         "Sentence", "packets for %1 arrive (%2), nothing is patched there; the show wants %3; %4 is %5 with "
                     "its two bytes exchanged: if that is meant, the sender writes them in the wrong order"),
@@ -280,9 +337,6 @@ constexpr const char* kSentences[] = {
                       "switch that prunes multicast after minutes (IGMP snooping without a querier)"),
     QT_TRANSLATE_NOOP("Sentence", "%1 is one source too many on %2 and ignored: %3"),
     QT_TRANSLATE_NOOP("Sentence", "%1 are too many sources on %2 and ignored: %3"),
-    QT_TRANSLATE_NOOP("Sentence", "Art-Net merges two"),
-    QT_TRANSLATE_NOOP("Sentence",
-                      "%1 are merged, those of the highest priority and of these the longest known"),
     QT_TRANSLATE_NOOP("Sentence",
                       "%1 is shown only in part on %2: %3 has a higher priority, and sends 0 alone"),
     QT_TRANSLATE_NOOP("Sentence",
@@ -298,10 +352,6 @@ constexpr const char* kSentences[] = {
     QT_TRANSLATE_NOOP("Sentence",
                       "%1 gives %2 of %3 on universe %4 away (priority per address 0), and nobody else sends "
                       "them: their levels are not used. Are they patched on the desk?"),
-    QT_TRANSLATE_NOOP("Sentence", "%1 patched channels"),
-    QT_TRANSLATE_NOOP("Sentence", "%1 patched channel"),
-    QT_TRANSLATE_NOOP("Sentence", "%1 levels"),
-    QT_TRANSLATE_NOOP("Sentence", "%1 level"),
     QT_TRANSLATE_NOOP(
         "Sentence",
         "%1 comes from more than one source of equal priority, %2, and they have up to %3 up at "
@@ -358,21 +408,10 @@ constexpr const char* kSentences[] = {
                       "%1 comes with %2, and %3 (%4) is patched past these: not patched on the desk?"),
     QT_TRANSLATE_NOOP("Sentence",
                       "%1 comes with %2, and %3 (%4) are patched past these: not patched on the desk?"),
-    QT_TRANSLATE_NOOP("Sentence", "whoever changed a channel last has it (LTP, --artnet-merge)"),
-    QT_TRANSLATE_NOOP("Sentence", "of each channel the higher level shows (HTP)"),
     QT_TRANSLATE_NOOP("Sentence", "%1. %2 names more than one Physical (input): it has several, or it "
                                   "changes what it names, and each counts as a source"),
     QT_TRANSLATE_NOOP("Sentence",
                       "%1. %2 sends by sACN and by Art-Net: if that is one desk, one of them will do"),
-    QT_TRANSLATE_NOOP("Sentence", "%1 other packets did (%2)"),
-    QT_TRANSLATE_NOOP("Sentence", "%1 other packet did (%2)"),
-    QT_TRANSLATE_NOOP("Sentence", "%1 on universe %2"),
-    QT_TRANSLATE_NOOP("Sentence", "%1 fixtures"),
-    QT_TRANSLATE_NOOP("Sentence", "%1 fixture"),
-    QT_TRANSLATE_NOOP("Sentence", "%1 channels (%2 in some packets)"),
-    QT_TRANSLATE_NOOP("Sentence", "%1 channel (%2 in some packets)"),
-    QT_TRANSLATE_NOOP("Sentence", "%1 channels"),
-    QT_TRANSLATE_NOOP("Sentence", "%1 channel"),
     QT_TRANSLATE_NOOP("Sentence", "%1 marks some of %2 as preview (blind), which is not shown: leave blind "
                                   "on the desk, or start with --show-preview"),
     QT_TRANSLATE_NOOP("Sentence", "%1 marks %2 as preview (blind), which is not shown: leave blind on the "
@@ -390,10 +429,6 @@ constexpr const char* kSentences[] = {
     QT_TRANSLATE_NOOP("Sentence",
                       "%1 declares more levels on %2 than its packets hold, or than 512; those that come are "
                       "used"),
-    QT_TRANSLATE_NOOP("Sentence",
-                      "this machine dropped %1 packets in the last seconds: it is too busy, the sockets' "
-                      "buffers are too small (as root: sysctl -w net.core.rmem_max=4194304), or somebody's "
-                      "packets have wrong checksums"),
     QT_TRANSLATE_NOOP("Sentence",
                       "%1 packets got lost on the way in the last seconds: cable, switch or Wi-Fi"),
     QT_TRANSLATE_NOOP("Sentence",
@@ -813,10 +848,6 @@ constexpr const char* kSentences[] = {
     QT_TRANSLATE_NOOP("Sentence", "bounced light is '%1', expected %2"),
     QT_TRANSLATE_NOOP("Sentence", "haze is '%1', expected one of %2"),
     QT_TRANSLATE_NOOP("Sentence", "this machine alone"),
-    QT_TRANSLATE_NOOP(
-        "Sentence",
-        "%1. Art-Net that a desk broadcasts to %2 (one in %3 with the mask 255.0.0.0) does not arrive at our "
-        "address and mask, which take %4 and 255.255.255.255: give both machines one network and one mask"),
     QT_TRANSLATE_NOOP("Sentence", "%1. %2 has a cable and no IPv4 address (no DHCP server answers, perhaps): "
                                   "for Art-Net, and for sACN by IPv4, it needs one in the desk's network"),
     QT_TRANSLATE_NOOP("Sentence", "%1. %2 gave itself %3, as a machine does that no DHCP server answers: for "
@@ -827,8 +858,6 @@ constexpr const char* kSentences[] = {
         "would "
         "not answer by the card that they came by: if they are the desk's, give that card an address in the "
         "desk's network (or, as root: sysctl -w net.ipv4.conf.all.rp_filter=2, and the same for the card)"),
-    QT_TRANSLATE_NOOP("Sentence", "%1 packets"),
-    QT_TRANSLATE_NOOP("Sentence", "%1 packet"),
     QT_TRANSLATE_NOOP("Sentence", "%1. A desk on this very machine has to send unicast to 127.0.0.1: "
                                   "multicast of QLC+ does not come back here"),
     QT_TRANSLATE_NOOP(

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
 """The window in its languages is whole: every text of src/ui goes through translated() or said(), every catalogue has all of them and no
-other, finished, with the same places to fill in, and every pattern of sentence_list.cpp is still said somewhere in src.
+other, finished, with the same places to fill in, and every pattern of sentence_list.cpp and part_list.cpp is still said somewhere in src.
 Usage: translations_test.py SOURCE_ROOT [BUILD_FOLDER]"""
 import re
 import sys
@@ -19,6 +19,7 @@ PLACE = re.compile(r"%[1-9n]|\\[1-9]|<[^>]+>")
 NO_TEXTS = {
     "window/state_json.cpp": "keys of JSON, for scripts",
     "language/sentence_list.cpp": "patterns, all of them QT_TRANSLATE_NOOP",
+    "language/part_list.cpp": "patterns, all of them QT_TRANSLATE_NOOP",
     "language/language.cpp": "names of files",
     "window/open_window.cpp": "is said on the command line, before there is a window",
     "actions/script.cpp": "words of scripts and sockets",

@@ -5,6 +5,10 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
+#include <fstream>
+#include <regex>
+#include <set>
 #include <string>
 
 using namespace ghost::ui;
@@ -18,6 +22,29 @@ namespace {
 std::string in_german(const char* english) {
     set_language("de");
     return said(english).toStdString();
+}
+
+// Words that are English and German, or of neither: names, units, protocols, commands.
+const std::set<std::string> kBoth = {
+    "ArtPoll",   "Art", "Blind", "CID", "DHCP",     "DMX",  "Dimmer", "Firewall", "Gobo",  "Hz",
+    "IGMP",      "IPv", "LED",   "LTP", "HTP",      "Net",  "OLA",    "Physical", "Port",  "QLC",
+    "Shutter",   "Sub", "UDP",   "USB", "Universe", "VLAN", "am",     "an",       "blind", "deg",
+    "discovery", "in",  "lm",    "lx",  "net",      "pid",  "poll",   "root",     "sACN",  "so"};
+
+// Words of a sentence that its German still has: none of them may be English.
+std::string english_left(const std::string& english) {
+    static const std::regex names(
+        R"('[^']*'|--[a-z-]+|\w+_\w+|[\w/.-]+\.(?:gdtf|pcap)|sysctl -w [\w.]+(?:=\d+)?|\b(?:ff18|0xDD)\b|[a-z]+[0-9]* (?=\(pid))"),
+        word("[A-Za-z]{2,}");
+    const auto words = [](const std::string& sentence) {
+        const std::string plain = std::regex_replace(sentence, names, "");
+        return std::set<std::string>(std::sregex_token_iterator(plain.begin(), plain.end(), word), {});
+    };
+    const std::set<std::string> before = words(english), after = words(in_german(english.c_str()));
+    std::string left;
+    for (const std::string& one : before)
+        if (after.contains(one) && !kBoth.contains(one)) left += one + " ";
+    return left;
 }
 
 } // namespace
@@ -90,7 +117,7 @@ TEST_F(Language, SoAreTheSentencesThatItIsMadeOf) {
         in_german(
             "universe 1 comes with 24 channels (512 in some packets), and 1 fixture ('Spot') is patched "
             "past these: not patched on the desk?"),
-        "Universum 1 kommt mit 24 Kanälen (512 in manchen Paketen), und 1 Gerät ('Spot') ist dahinter "
+        "Universum 1 bringt 24 Kanäle (512 in manchen Paketen), und 1 Gerät ('Spot') ist dahinter "
         "gepatcht: am Pult nicht gepatcht?");
 }
 
@@ -101,6 +128,60 @@ TEST_F(Language, SoIsWhoOverridesWhom) {
         "'House' (sACN, 10.0.0.3, Priorität 150) geht 'FOH' (sACN, 10.0.0.2, für diese Adresse Priorität "
         "100) "
         "vor, das es leuchten ließe: auf Kanal 1 (1.1) sendet es 0 statt 255");
+}
+
+// What is said of mistakes is put together from parts in rooms without Qt, whose patterns stand in lists of
+// their own: of each sentence of the table every part is found.
+TEST_F(Language, SoIsWhatIsSaidOfEveryMistake) {
+    std::ifstream table(GHOST_SOURCE_DIR "/docs/reference/mistakes.md");
+    const std::regex row(R"(\| .* \| `([a-z_:]+)` \| (?:yes)? \| (.*) \|)");
+    int rows = 0;
+    std::smatch parts;
+    for (std::string line; std::getline(table, line);) {
+        if (!std::regex_match(line, parts, row) || parts[1] == "error:") continue;
+        ++rows;
+        EXPECT_EQ(english_left(parts[2]), "") << in_german(parts[2].str().c_str());
+    }
+    EXPECT_GT(rows, 100);
+}
+
+// variants.txt has what else the same functions say: two and three names, one and several of each, other
+// causes.
+TEST_F(Language, SoIsWhatElseIsSaidOfTheNetworkAndOfLamps) {
+    std::ifstream variants(GHOST_SOURCE_DIR "/tests/ui/language/variants.txt");
+    int lines = 0;
+    for (std::string line; std::getline(variants, line); ++lines)
+        EXPECT_EQ(english_left(line), "") << in_german(line.c_str());
+    EXPECT_GT(lines, 60);
+}
+
+TEST_F(Language, ANameIsNoPartOfASentence) {
+    EXPECT_EQ(
+        in_german("'Sound and Light on channel 5. Now; on universe 3' (10.0.0.1), 'A and B' (10.0.0.2) and "
+                  "'C, (D) and E' (10.0.0.3) are too many sources on universes 1, 3-4 and ignored: 16 are "
+                  "merged, those of the highest priority and of these the longest known"),
+        "'Sound and Light on channel 5. Now; on universe 3' (10.0.0.1), 'A and B' (10.0.0.2) und "
+        "'C, (D) and E' (10.0.0.3) sind zu viele Quellen auf Universen 1, 3-4 und bleiben unbeachtet: 16 "
+        "werden gemischt, die höchster Priorität und davon die am längsten bekannten");
+}
+
+// Alone, or in a sentence that is not known, they would be found in what is none of ours.
+TEST_F(Language, PartsAreKnownInsideOfASentenceOnly) {
+    for (const char* const one :
+         {"channel 5 and channel 6", "show.toml:3: universe 1 and channel 5 do not fit", "hang: universe 7",
+          "dimmer 3 leaves 1 of 5 lm"})
+        EXPECT_EQ(in_german(one), one);
+    EXPECT_EQ(in_german("dark because channel 5 and channel 6"), "dunkel, weil: Kanal 5 und Kanal 6");
+}
+
+TEST_F(Language, WhatHasManyEndsIsReadInTime) {
+    for (const char* const end : {": ", "; ", ". ", " and ", ", channel "}) {
+        std::string long_one = "dark because ";
+        while (long_one.size() < 3000) long_one += "a" + std::string(end);
+        const auto begun = std::chrono::steady_clock::now();
+        EXPECT_TRUE(in_german(long_one.c_str()).starts_with("dunkel, weil: a")) << end;
+        EXPECT_LT(std::chrono::steady_clock::now() - begun, std::chrono::seconds(20)) << end;
+    }
 }
 
 TEST_F(Language, WhatIsQuotedStays) {
@@ -124,5 +205,8 @@ TEST_F(Language, AnotherSentenceStays) {
 TEST_F(Language, EveryPatternSaysSomethingInGerman) {
     set_language("de");
     for (const char* const one : sentence_list()) EXPECT_FALSE(said(one).isEmpty()) << one;
+    for (const char* const one : part_list())
+        EXPECT_FALSE(said("dark because " + std::string(one)).isEmpty()) << one;
     EXPECT_GT(sentence_list().size(), 400u);
+    EXPECT_GT(part_list().size(), 100u);
 }

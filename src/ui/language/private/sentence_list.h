@@ -7,5 +7,7 @@
 namespace ghost::ui {
 
 std::span<const char* const> sentence_list();
+// What these are made of and what is known inside of them only: "channel %1", "%1 and channel %2".
+std::span<const char* const> part_list();
 
 } // namespace ghost::ui
