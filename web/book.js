@@ -67,11 +67,11 @@ class Book extends HTMLElement {
     this.about.textContent = `${book.show || "The show"}: ${length} ${length === 1 ? "entry" : "entries"} (${book.kind}), drawn by ${book.device}`;
     this.body.replaceChildren(
         ...(difference ? [this.difference(difference)] : []),
-        ...book.entries.map((/** @type {any} */ entry, /** @type {number} */ index) => this.entry(entry, index)));
+        ...book.entries.map((/** @type {any} */ entry, /** @type {number} */ index) => this.entry(entry, index, !book.for_client))); // a tour names no fixtures
   }
 
-  /** @param {any} entry @param {number} index */
-  entry(entry, index) {
+  /** @param {any} entry @param {number} index @param {boolean} hasChanges */
+  entry(entry, index, hasChanges) {
     const times = [
       entry.at_s === null ? "" : `at ${clock(entry.at_s)}`,
       entry.page ? `page ${entry.page} of the script` : "",
@@ -87,8 +87,8 @@ class Book extends HTMLElement {
         make(
             "div", {class: "pictures"},
             ...entry.pictures.map((/** @type {any} */ picture) => this.figure(picture.file, `${entry.name} from ${picture.camera}`, picture.camera))),
-        ...(entry.unknown.length ? [list(entry.unknown, "quiet")] : []), make("h3", {}, index === 0 ? "From the dark" : "What changes"),
-        changes.length ? list(changes) : make("p", {class: "quiet"}, "nothing that is seen"));
+        ...(entry.unknown.length ? [list(entry.unknown, "quiet")] : []),
+        ...(hasChanges ? [make("h3", {}, index === 0 ? "From the dark" : "What changes"), changes.length ? list(changes) : make("p", {class: "quiet"}, "nothing that is seen")] : []));
   }
 
   /** @param {any} difference */

@@ -64,6 +64,7 @@ struct Book {
     std::vector<BookFixture> fixtures;
     std::vector<BookEntry> entries;
     std::vector<std::string> unknown; // sentences
+    bool is_for_client = false;       // fixtures, changes and what entries do not know are left out
 };
 
 // Name, fixtures, and what the show does not say about them.

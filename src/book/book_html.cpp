@@ -78,7 +78,7 @@ std::string figure_text(double value) {
 }
 
 std::string rows_of(const BookDifference& difference, const PrintStyle& style) {
-    std::string text = "<table>\n<thead><tr>";
+    std::string text = "<div class=\"table\">\n<table>\n<thead><tr>";
     for (const Word head : {Word("entry"), Word("camera"), Word("difference"), Word("mean"), Word("p99"),
                             Word("largest"), Word("of the picture above 0.1")})
         text += "<th>" + style(head) + "</th>";
@@ -94,7 +94,7 @@ std::string rows_of(const BookDifference& difference, const PrintStyle& style) {
             text += "<td colspan=\"5\">" + html_name(picture.why_not) + "</td>";
         text += "</tr>\n";
     }
-    return text + "</tbody></table>\n";
+    return text + "</tbody></table>\n</div>\n";
 }
 
 std::string slider_of(const Book& book, const ComparedPicture& picture, const PrintStyle& style) {

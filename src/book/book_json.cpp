@@ -109,6 +109,7 @@ Book whole_from(const Json& all) {
     for (const Json& fixture : all.at("fixtures")) book.fixtures.push_back(fixture_from(fixture));
     for (const Json& entry : all.at("entries")) book.entries.push_back(entry_from(entry));
     book.unknown = texts_from(all.at("unknown"));
+    book.is_for_client = all.value("for_client", false);
     return book;
 }
 
@@ -127,9 +128,10 @@ std::string text_of(const Book& book) {
     Json fixtures = Json::array(), entries = Json::array();
     for (const BookFixture& fixture : book.fixtures) fixtures.push_back(json_of(fixture));
     for (const BookEntry& entry : book.entries) entries.push_back(json_of(entry));
-    const Json all = {{"ghostlight_book", kVersion},       {"show", book.show},    {"kind", book.kind},
-                      {"size", {book.width, book.height}}, {"ev100", book.ev100},  {"device", book.device},
-                      {"unknown", book.unknown},           {"fixtures", fixtures}, {"entries", entries}};
+    Json all = {{"ghostlight_book", kVersion},       {"show", book.show},    {"kind", book.kind},
+                {"size", {book.width, book.height}}, {"ev100", book.ev100},  {"device", book.device},
+                {"unknown", book.unknown},           {"fixtures", fixtures}, {"entries", entries}};
+    if (book.is_for_client) all["for_client"] = true;
     return all.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

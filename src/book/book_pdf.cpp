@@ -10,11 +10,12 @@
 namespace ghost::scene {
 namespace {
 
-constexpr double kMargin_pt = 40, kHead_pt = 24, kGap_pt = 10;
+constexpr double kMargin_pt = 40, kHead_pt = 26, kGap_pt = 10;
 constexpr std::size_t kRowsOfPage = 4;
 constexpr std::size_t kMostPictures = 2; // of an entry; the page of the browser has all
 constexpr double kPictures_pt = 215;     // width of what stands left of the words
-constexpr double kPencil_pt = 16, kTimes_pt = 22;
+constexpr double kPencil_pt = 16, kTimes_pt = 22, kUnknown_pt = 20;
+constexpr double kAll_pt = 1e6;
 
 constexpr PdfText kTitle{.size_pt = 11, .is_bold = true};
 constexpr PdfText kSmall{.size_pt = 8, .is_grey = true};
@@ -27,7 +28,12 @@ public:
         : book_(book), folder_(folder), style_(style), columns_(layout == BookLayout::grid ? 3 : 1),
           pdf_(size, false, book.show + ": " + style("cue book")) {}
 
-    Result<std::string> draw() {
+    Result<std::string> draw(Report& report) {
+        unknown_ = book_.unknown;
+        if (const std::string said = look_for_boxes(); !said.empty()) {
+            report.add(Severity::warning, "book.pdf", said);
+            unknown_.insert(unknown_.begin(), said);
+        }
         const std::size_t of_page = kRowsOfPage * columns_;
         const std::size_t pages = std::max<std::size_t>(1, (book_.entries.size() + of_page - 1) / of_page);
         for (std::size_t page = 0; page < pages; ++page) {
@@ -53,8 +59,21 @@ private:
             style_("cue book, page %1 of %2", {std::to_string(page + 1), std::to_string(pages)}),
             {.size_pt = 8, .is_grey = true, .is_right = true});
         std::string said;
-        for (const std::string& sentence : book_.unknown) said += (said.empty() ? "" : "; ") + sentence;
-        if (page == 0) pdf_.line_of_text(kMargin_pt, kMargin_pt + 4, width, said, kSmall);
+        for (const std::string& sentence : unknown_) said += (said.empty() ? "" : "; ") + sentence;
+        if (page == 0) pdf_.text(kMargin_pt, kMargin_pt + 2, width, kUnknown_pt, said, kSmall);
+    }
+
+    std::string look_for_boxes() {
+        pdf_.look_for_boxes(book_.show);
+        for (std::size_t i = 0; i < book_.entries.size(); ++i) {
+            const BookEntry& entry = book_.entries[i];
+            for (const std::string& text :
+                 {entry_number(entry, i) + ". " + entry.name, times_text(entry, style_), entry.notes})
+                pdf_.look_for_boxes(text);
+            for (const BookPicture& picture : entry.pictures) pdf_.look_for_boxes(picture.camera);
+            for (const BookChange& change : entry.changes) pdf_.look_for_boxes(change.line());
+        }
+        return pdf_.boxes_said(style_);
     }
 
     // Its title, which the list of contents has.
@@ -93,16 +112,39 @@ private:
         TRY_VOID(draw_pictures(entry, y + 6, height - 6));
         const double x = kMargin_pt + kPictures_pt + kGap_pt, width = pdf_.width_pt() - kMargin_pt - x;
         const double end = y + height - 2 * kPencil_pt;
+        std::vector<std::string> changes;
+        for (const BookChange& change : entry.changes) changes.push_back(change.line());
+        if (changes.empty()) changes.push_back(style_("nothing that is seen"));
+        // What follows has a line each, at least: that says how much more there is.
+        const double line = pdf_.height_of(width, kTimes_pt, "x", kWords);
+        const double of_changes = line + 2, of_unknown = entry.unknown.empty() ? 0 : line;
         double at = y + 5;
-        pdf_.line_of_text(x, at, width, title, kTitle);
-        at += 15;
-        at += pdf_.text(x, at, width, 22, times_text(entry, style_), kSmall);
-        at += pdf_.text(x, at, width, 22, entry.notes, kWords);
-        for (const std::string& sentence : entry.unknown)
-            at += pdf_.text(x, at, width, std::min(22.0, end - at), sentence, kSmall);
-        pdf_.text(x, at + 2, width, end - at - 2, changes_text(entry, style_), kWords);
+        at += pdf_.text(x, at, width, 0.3 * (end - at), title, kTitle) + 1;
+        at += pdf_.text(x, at, width, kTimes_pt, times_text(entry, style_), kSmall);
+        at += pdf_.text(x, at, width, end - of_changes - of_unknown - at, entry.notes, kWords);
+        at += draw_list(x, at, width, end - of_changes, entry.unknown, kSmall);
+        draw_list(x, at + 2, width, end, changes, kWords);
         for (const double up : {kPencil_pt, 0.0}) pdf_.line(x, y + height - up, x + width, y + height - up);
         return {};
+    }
+
+    // One below the other as far as there is room, and how many more there are. The height that it takes.
+    double draw_list(double x, double y, double width, double end, const std::vector<std::string>& lines,
+                     const PdfText& look) {
+        const double least = pdf_.height_of(width, kTimes_pt, "x", look);
+        double at = y;
+        for (std::size_t k = 0; k < lines.size(); ++k) {
+            const bool is_last = k + 1 == lines.size();
+            const double room = end - at - (is_last ? 0 : least);
+            if (pdf_.height_of(width, kAll_pt, lines[k], look) > room) {
+                const std::string more = std::to_string(lines.size() - k);
+                return at - y +
+                       pdf_.text(x, at, width, std::max(least, end - at),
+                                 style_("and %1 more: see index.html", {more}), look);
+            }
+            at += pdf_.text(x, at, width, room, lines[k], look);
+        }
+        return at - y;
     }
 
     Result<void> draw_pictures(const BookEntry& entry, double y, double height) {
@@ -120,13 +162,14 @@ private:
     const PrintStyle& style_;
     const std::size_t columns_;
     PdfWriter pdf_;
+    std::vector<std::string> unknown_; // of the book, and of its letters
 };
 
 } // namespace
 
 Result<std::string> pdf_of(const Book& book, const std::filesystem::path& folder, PaperSize size,
-                           const PrintStyle& style, BookLayout layout) {
-    return BookPages(book, folder, size, style, layout).draw();
+                           Report& report, const PrintStyle& style, BookLayout layout) {
+    return BookPages(book, folder, size, style, layout).draw(report);
 }
 
 } // namespace ghost::scene

@@ -169,7 +169,11 @@ BookDifference difference_of(const Book& old, const Book& now, const PrintStyle&
     BookDifference difference;
     difference.old_name = old.show;
     compare_entries(old, now, style, difference.entries);
-    compare_fixtures(old, now, style, difference.fixtures);
+    if (old.is_for_client)
+        difference.fixtures.push_back(
+            style("the older one is a tour, which names no fixtures: they are not compared"));
+    else
+        compare_fixtures(old, now, style, difference.fixtures);
     if (old.device != now.device)
         difference.unknown.push_back(
             style("the older pictures were drawn by '%1': what two devices draw differs a little by itself",

@@ -2,6 +2,7 @@
 #include "book/private/entry_text.h"
 
 #include "base/progress.h"
+#include "print/quantities.h"
 
 namespace ghost::scene {
 namespace {
@@ -27,26 +28,19 @@ std::string times_text(const BookEntry& entry, const PrintStyle& style) {
     if (entry.follow_s)
         put(style("the next one follows after %1 s",
                   {style.number(static_cast<double>(*entry.follow_s), 1)}));
-    return text;
+    return with_whole_quantities(text);
 }
 
 std::vector<std::string> change_lines(const BookEntry& entry, const PrintStyle& style) {
     std::vector<std::string> lines;
     for (const BookChange& change : entry.changes) {
         if (lines.size() == kMostLines) break;
-        lines.push_back(change.line());
+        lines.push_back(with_whole_quantities(change.line()));
     }
     if (entry.changes.size() > kMostLines)
         lines.push_back(style("and %1 more changes, which book.json has",
                               {std::to_string(entry.changes.size() - kMostLines)}));
     return lines;
-}
-
-std::string changes_text(const BookEntry& entry, const PrintStyle& style) {
-    if (entry.changes.empty()) return style("nothing that is seen");
-    std::string text;
-    for (const std::string& line : change_lines(entry, style)) text += (text.empty() ? "" : "\n") + line;
-    return text;
 }
 
 } // namespace ghost::scene

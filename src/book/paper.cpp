@@ -85,12 +85,24 @@ void drop_empty_columns(PaperTable& table) {
 PaperTable instruments_of(const Show& show, const PrintStyle& style) {
     PaperTable table{"instruments", style("Instrument schedule"), {}, {}, {}};
     const std::string m = " " + style.length_unit();
-    table.columns = {{style("hangs on")}, {style("unit"), true}, {style("number")},
-                     {style("name")},     {style("type")},       {style("mode")},
-                     {style("address")},  {style("channels")},   {"x" + m, true},
-                     {"y" + m, true},     {"z" + m, true},       {style("function")},
-                     {style("filter")},   {style("gobo")},       {style("focus point")},
-                     {style("circuit")},  {style("layer")},      {style.weight_unit(), true},
+    table.columns = {{style("hangs on")},
+                     {style("unit"), true},
+                     {style("number"), false, true},
+                     {style("name")},
+                     {style("type")},
+                     {style("mode")},
+                     {style("address"), false, true},
+                     {style("channels"), false, true},
+                     {"x" + m, true},
+                     {"y" + m, true},
+                     {"z" + m, true},
+                     {style("function")},
+                     {style("filter")},
+                     {style("gobo")},
+                     {style("focus point")},
+                     {style("circuit")},
+                     {style("layer")},
+                     {style.weight_unit(), true},
                      {"W", true}};
     const std::vector<Hanging> hangings = hangings_of(show);
     std::size_t nowhere = 0, unread = 0;
@@ -125,9 +137,15 @@ PaperTable instruments_of(const Show& show, const PrintStyle& style) {
 
 PaperTable hookup_of(const Show& show, const PrintStyle& style) {
     PaperTable table{"hookup", style("Channel hookup"), {}, {}, {}};
-    table.columns = {{style("number")},   {style("name")},       {style("address")},
-                     {style("channels")}, {style("type")},       {style("mode")},
-                     {style("hangs on")}, {style("unit"), true}, {style("function")}};
+    table.columns = {{style("number"), false, true},
+                     {style("name")},
+                     {style("address"), false, true},
+                     {style("channels"), false, true},
+                     {style("type")},
+                     {style("mode")},
+                     {style("hangs on")},
+                     {style("unit"), true},
+                     {style("function")}};
     const std::vector<Hanging> hangings = hangings_of(show);
     const auto order = in_order_of(show.fixtures.size(), [&](std::size_t a, std::size_t b) {
         const PatchedFixture &one = show.fixtures[a], &other = show.fixtures[b];
@@ -170,7 +188,7 @@ PaperTable types_of(const Show& show, const PrintStyle& style) {
     table.columns = {{style("type")},
                      {style("mode")},
                      {style("fixtures"), true},
-                     {style("channels")},
+                     {style("channels"), false, true},
                      {style("%1 each", {kg}), true},
                      {style("%1 all", {kg}), true},
                      {style("%1 each", {"W"}), true},
@@ -208,7 +226,7 @@ PaperTable types_of(const Show& show, const PrintStyle& style) {
     return table;
 }
 
-Paper paper_of(const Show& show, const PrintStyle& style, double circuit_w) {
+Paper paper_of(const Show& show, const PrintStyle& style, std::optional<double> circuit_w) {
     Paper paper;
     paper.show = show.name.empty() ? show.folder.filename().string() : show.name;
     paper.style = style;

@@ -6,6 +6,7 @@
 
 #include "print/print_style.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,7 @@ struct Show; // show/show.h
 struct PaperColumn {
     std::string title;
     bool is_number = false;
+    bool is_whole = false; // its cells are codes, "61.106", "#ff8000": no line of a page breaks them
 };
 
 struct PaperRow {
@@ -37,9 +39,17 @@ struct Paper {
     PrintStyle style;
 };
 
-inline constexpr double kCircuit_w = 3680; // 16 A at 230 V
+// Where nobody says what circuits carry.
+struct UsualCircuit {
+    double breaker_a, voltage_v;
 
-// circuit_w: of a circuit in the proposal of phases.
-Paper paper_of(const Show& show, const PrintStyle& style = {}, double circuit_w = kCircuit_w);
+    constexpr double power_w() const { return breaker_a * voltage_v; }
+};
+constexpr UsualCircuit usual_circuit(Units units) {
+    return units == Units::metric ? UsualCircuit{16, 230} : UsualCircuit{20, 120};
+}
+
+// circuit_w: of a circuit in the proposal of phases; nothing: a usual one.
+Paper paper_of(const Show& show, const PrintStyle& style = {}, std::optional<double> circuit_w = {});
 
 } // namespace ghost::scene

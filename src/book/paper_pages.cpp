@@ -8,6 +8,8 @@
 namespace ghost::scene {
 namespace {
 
+constexpr std::size_t kWholeBytes = 24; // addresses of many breaks have lines
+
 std::string csv_cell(const std::string& text, bool is_number) {
     std::string cell = one_line(text);
     if (!is_number && !cell.empty() && std::string_view("=+-@").find(cell[0]) != std::string_view::npos)
@@ -18,6 +20,11 @@ std::string csv_cell(const std::string& text, bool is_number) {
     return quoted + "\"";
 }
 
+std::string cell_begin(const PaperColumn& column, const std::string& cell) {
+    if (column.is_number) return "<td class=\"n\">";
+    return column.is_whole && cell.size() <= kWholeBytes ? "<td class=\"w\">" : "<td>";
+}
+
 std::string html_table(const PaperTable& table, const PrintStyle& style) {
     std::string text = "<section id=\"" + table.file + "\">\n<h2>" + html_text(table.title) + "</h2>\n";
     if (!table.unknown.empty()) {
@@ -26,7 +33,7 @@ std::string html_table(const PaperTable& table, const PrintStyle& style) {
         text += "</ul>\n";
     }
     if (table.rows.empty()) return text + "<p class=\"of\">" + style("nothing") + "</p>\n</section>\n";
-    text += "<table>\n<thead><tr>";
+    text += "<div class=\"table\">\n<table>\n<thead><tr>";
     for (const PaperColumn& column : table.columns)
         text += std::string("<th") + (column.is_number ? " class=\"n\"" : "") + ">" +
                 html_text(column.title) + "</th>";
@@ -34,11 +41,11 @@ std::string html_table(const PaperTable& table, const PrintStyle& style) {
     for (const PaperRow& row : table.rows) {
         text += row.is_free ? "<tr class=\"free\">" : "<tr>";
         for (std::size_t k = 0; k < row.cells.size(); ++k)
-            text += (table.columns[k].is_number ? "<td class=\"n\">" : "<td>") +
+            text += cell_begin(table.columns[k], row.cells[k]) +
                     (row.cells[k].empty() ? "" : html_name(row.cells[k])) + "</td>";
         text += "</tr>\n";
     }
-    return text + "</tbody></table>\n</section>\n";
+    return text + "</tbody></table>\n</div>\n</section>\n";
 }
 
 } // namespace
@@ -57,7 +64,7 @@ std::string csv_of(const PaperTable& table) {
 
 std::string html_of(const Paper& paper, PaperSize size, const std::vector<PaperDrawing>& drawings) {
     const PrintStyle& style = paper.style;
-    std::string page = html_begin(paper.show + ": " + style("paperwork"), size, style.language);
+    std::string page = html_begin(paper.show + ": " + style("paperwork"), size, style.language, true);
     const std::string units =
         style.units == Units::metric
             ? style("Metres, kilograms, watts; x to the right seen from the house, y up-stage, z up.")

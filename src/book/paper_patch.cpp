@@ -91,7 +91,7 @@ PaperRow free_row(const PrintStyle& style, int universe, const Gap& gap, bool is
 PaperTable patch_of(const Show& show, const PrintStyle& style) {
     PaperTable table{"patch", style("Patch by universe"), {}, {}, {}};
     table.columns = {{style("universe"), true}, {style("from"), true}, {style("to"), true},
-                     {style("channels"), true}, {style("name")},       {style("number")},
+                     {style("channels"), true}, {style("name")},       {style("number"), false, true},
                      {style("type")},           {style("mode")},       {style("remarks")}};
     for (const auto& entry : segments_of(show, style)) {
         const int universe = entry.first;

@@ -10,6 +10,7 @@ namespace ghost::scene {
 namespace {
 
 constexpr double kTableMargin_pt = 34, kRow_pt = 11.5, kPad_pt = 3;
+constexpr double kTop_pt = kTableMargin_pt + 4, kSentence_pt = 4 * kRow_pt, kSentenceGap_pt = 2;
 constexpr double kLeastColumn_pt = 22, kWidestColumn_pt = 190;
 constexpr std::size_t kMeasuredRows = 400; // evenly spread over the table: enough to share out a page
 constexpr double kFreeGrey = 0.92, kHeadGrey = 0.85;
@@ -23,22 +24,83 @@ public:
         : paper_(paper), pdf_(size, true, paper.show + ": " + paper.style("paperwork")),
           width_(pdf_.width_pt() - 2 * kTableMargin_pt), end_(pdf_.height_pt() - kTableMargin_pt) {}
 
-    Result<std::string> draw() {
-        for (const PaperTable& table : paper_.tables) draw_table(table);
+    Result<std::string> draw(Report& report) {
+        if (const std::string said = look_for_boxes(); !said.empty()) {
+            report.add(Severity::warning, "paper.pdf", said);
+            boxes_.push_back(said + ".");
+        }
+        std::vector<TablePages> all;
+        for (const PaperTable& table : paper_.tables) {
+            all.push_back(pages_of(table));
+            pages_ += all.back().pages();
+        }
+        for (std::size_t k = 0; k < all.size(); ++k) draw_table(paper_.tables[k], all[k]);
         return pdf_.finish();
     }
 
 private:
+    // How its rows are spread over pages.
+    struct TablePages {
+        std::vector<std::string> said; // above the first ones
+        std::size_t rows = 0, of_first = 0, of_more = 1;
+
+        std::size_t pages() const {
+            return 1 + (rows > of_first ? (rows - of_first + of_more - 1) / of_more : 0);
+        }
+    };
+
+    std::string look_for_boxes() {
+        pdf_.look_for_boxes(paper_.show);
+        for (const PaperTable& table : paper_.tables)
+            for (const PaperRow& row : table.rows)
+                for (const std::string& cell : row.cells) pdf_.look_for_boxes(cell);
+        return pdf_.boxes_said(paper_.style);
+    }
+
+    // With its heads.
+    std::size_t rows_below(double y) const {
+        return static_cast<std::size_t>(std::max(0.0, (end_ - y) / kRow_pt - 1));
+    }
+
+    double height_of(const std::string& sentence) {
+        return pdf_.height_of(width_, kSentence_pt, sentence, kCell) + kSentenceGap_pt;
+    }
+
+    TablePages pages_of(const PaperTable& table) {
+        TablePages pages;
+        pages.rows = table.rows.size();
+        std::vector<std::string> all = &table == paper_.tables.data() ? boxes_ : std::vector<std::string>();
+        all.insert(all.end(), table.unknown.begin(), table.unknown.end());
+        double y = kTop_pt;
+        for (std::size_t k = 0; k < all.size(); ++k) {
+            if (y + height_of(all[k]) > 0.7 * end_) { // rows are to be seen, too
+                pages.said.push_back(
+                    paper_.style("and %1 more: see index.html", {std::to_string(all.size() - k)}));
+                y += height_of(pages.said.back());
+                break;
+            }
+            pages.said.push_back(all[k]);
+            y += height_of(all[k]);
+        }
+        pages.of_first = rows_below(y);
+        pages.of_more = std::max<std::size_t>(1, rows_below(kTop_pt));
+        return pages;
+    }
+
     void begin_page(const PaperTable& table, bool is_first) {
         ++page_;
         if (is_first) pdf_.mark(table.title);
-        pdf_.line_of_text(kTableMargin_pt, kTableMargin_pt - 14, 0.7 * width_,
+        pdf_.line_of_text(kTableMargin_pt, kTableMargin_pt - 14, 0.5 * width_,
                           is_first ? table.title : paper_.style("%1, continued", {table.title}),
                           {.size_pt = 11, .is_bold = true});
-        pdf_.line_of_text(kTableMargin_pt + 0.7 * width_, kTableMargin_pt - 14, 0.3 * width_,
-                          paper_.style("%1, page %2", {paper_.show, std::to_string(page_)}),
-                          {.size_pt = 8, .is_grey = true, .is_right = true});
-        y_ = kTableMargin_pt + 4;
+        constexpr PdfText kPlace{.size_pt = 8, .is_grey = true, .is_right = true};
+        const std::string number =
+            paper_.style("page %1 of %2", {std::to_string(page_), std::to_string(pages_)});
+        const double of_number = pdf_.width_of(number, kPlace) + 1, end = kTableMargin_pt + width_;
+        pdf_.line_of_text(end - of_number, kTableMargin_pt - 14, of_number, number, kPlace);
+        pdf_.line_of_text(kTableMargin_pt + 0.5 * width_, kTableMargin_pt - 14,
+                          0.5 * width_ - of_number - 2 * kPad_pt, paper_.show, kPlace);
+        y_ = kTop_pt;
     }
 
     // What each column wants, shrunk to the page where that is more than it has.
@@ -77,14 +139,15 @@ private:
         draw_row(table, widths, titles, kColumnHead);
     }
 
-    void draw_table(const PaperTable& table) {
+    void draw_table(const PaperTable& table, const TablePages& pages) {
         begin_page(table, true);
-        for (const std::string& sentence : table.unknown)
-            y_ += pdf_.text(kTableMargin_pt, y_, width_, 4 * kRow_pt, sentence, kCell) + 2;
+        for (const std::string& sentence : pages.said)
+            y_ += pdf_.text(kTableMargin_pt, y_, width_, kSentence_pt, sentence, kCell) + kSentenceGap_pt;
         const std::vector<double> widths = widths_of(table);
         if (!table.rows.empty()) draw_column_heads(table, widths);
-        for (const PaperRow& row : table.rows) {
-            if (y_ + kRow_pt > end_) {
+        for (std::size_t k = 0; k < table.rows.size(); ++k) {
+            const PaperRow& row = table.rows[k];
+            if (k >= pages.of_first && (k - pages.of_first) % pages.of_more == 0) {
                 pdf_.end_page();
                 begin_page(table, false);
                 draw_column_heads(table, widths);
@@ -101,13 +164,14 @@ private:
     PdfWriter pdf_;
     double width_, end_;
     double y_ = 0;
-    int page_ = 0;
+    std::vector<std::string> boxes_; // what is said of letters that no font has
+    std::size_t page_ = 0, pages_ = 0;
 };
 
 } // namespace
 
-Result<std::string> pdf_of(const Paper& paper, PaperSize size) {
-    return PaperPages(paper, size).draw();
+Result<std::string> pdf_of(const Paper& paper, PaperSize size, Report& report) {
+    return PaperPages(paper, size).draw(report);
 }
 
 } // namespace ghost::scene

@@ -115,7 +115,9 @@ PaperTable cables_of(const Show& show, const PrintStyle& style) {
     return table;
 }
 
-PaperTable phases_proposed(const Show& show, const PrintStyle& style, double circuit_w) {
+PaperTable phases_proposed(const Show& show, const PrintStyle& style, std::optional<double> asked_w) {
+    const UsualCircuit usual = usual_circuit(style.units);
+    const double circuit_w = asked_w.value_or(usual.power_w());
     PaperTable table{"phases_proposal", style("Phases: a proposal"), {}, {}, {}};
     table.columns = {{style("phase")}, {style("circuit"), true},  {style("hangs on")},
                      {style("name")},  {style("fixtures"), true}, {"W", true}};
@@ -128,6 +130,10 @@ PaperTable phases_proposed(const Show& show, const PrintStyle& style, double cir
                                   "heaviest circuit goes to the "
                                   "phase with the least. Check it before anything is plugged.",
                                   {style.number(circuit_w, 0)}));
+    if (!asked_w)
+        table.unknown.push_back(
+            style("%1 A at %2 V, for nobody names a circuit; --circuit names other watts.",
+                  {style.number(usual.breaker_a, 0), style.number(usual.voltage_v, 0)}));
     for (std::size_t phase = 0; phase < phases_w.size(); ++phase) {
         const std::string name = "L" + std::to_string(phase + 1);
         table.unknown.push_back(style("Phase %1: %2 W.", {name, style.number(phases_w[phase], 0)}));

@@ -45,6 +45,15 @@ std::map<int, Word> wheels_in_use(const fixture::Mode& mode) {
     return wheels;
 }
 
+// White is what files say of a gobo or a prism that has no colour of its own.
+std::string colour_of(const fixture::Type& type, const fixture::Slot& slot, bool is_colour,
+                      const PrintStyle& style) {
+    if (is_open(slot)) return style("open");
+    const std::string colour = colour_text(
+        slot.filter >= 0 ? type.filters[static_cast<std::size_t>(slot.filter)].color : slot.color);
+    return !is_colour && colour == "#ffffff" ? "" : colour;
+}
+
 struct HungType {
     std::size_t count = 0;
     std::map<int, Word> wheels; // of all modes in which it is hung
@@ -54,8 +63,9 @@ struct HungType {
 
 PaperTable wheels_of(const Show& show, const PrintStyle& style) {
     PaperTable table{"gobos_colours", style("Gobos and colours"), {}, {}, {}};
-    table.columns = {{style("type")},       {style("fixtures"), true}, {style("wheel")},   {style("kind")},
-                     {style("slot"), true}, {style("name")},           {style("picture")}, {style("colour")}};
+    table.columns = {{style("type")},    {style("fixtures"), true},     {style("wheel")},
+                     {style("kind")},    {style("slot"), true},         {style("name")},
+                     {style("picture")}, {style("colour"), false, true}};
     std::map<std::string, std::pair<const fixture::Type*, HungType>> types;
     for (const PatchedFixture& fixture : show.fixtures) {
         if (!fixture.type || fixture.type->modes.empty()) continue;
@@ -70,12 +80,9 @@ PaperTable wheels_of(const Show& show, const PrintStyle& style) {
             const fixture::Wheel& wheel = type->wheels[static_cast<std::size_t>(index)];
             for (std::size_t k = 0; k < wheel.slots.size(); ++k) {
                 const fixture::Slot& slot = wheel.slots[k];
-                const fixture::ColorCie& colour =
-                    slot.filter >= 0 ? type->filters[static_cast<std::size_t>(slot.filter)].color
-                                     : slot.color;
-                table.rows.push_back(
-                    {{name, std::to_string(hung.count), wheel.name, style(kind), std::to_string(k + 1),
-                      slot.name, slot.media_file, is_open(slot) ? style("open") : colour_text(colour)}});
+                table.rows.push_back({{name, std::to_string(hung.count), wheel.name, style(kind),
+                                       std::to_string(k + 1), slot.name, slot.media_file,
+                                       colour_of(*type, slot, style(kind) == style("colour"), style)}});
             }
         }
     }

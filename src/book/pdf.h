@@ -3,6 +3,7 @@
 // Book and paperwork as PDF, for printers: four entries on a page or twelve, tables with their heads on each
 // page. Text can be searched, fonts are embedded. Equal input gives equal bytes. Any thread.
 
+#include "base/report.h"
 #include "base/result.h"
 #include "book/book.h"
 #include "book/paper.h"
@@ -13,9 +14,11 @@
 
 namespace ghost::scene {
 
-// folder: of the book, where its pictures are. Error: one of them cannot be read.
+// folder: of the book, where its pictures are. report: gets what the pages say of letters that no font has.
+// Error: a picture cannot be read.
 Result<std::string> pdf_of(const Book& book, const std::filesystem::path& folder, PaperSize size,
-                           const PrintStyle& style = {}, BookLayout layout = BookLayout::list);
-Result<std::string> pdf_of(const Paper& paper, PaperSize size);
+                           Report& report, const PrintStyle& style = {},
+                           BookLayout layout = BookLayout::list);
+Result<std::string> pdf_of(const Paper& paper, PaperSize size, Report& report);
 
 } // namespace ghost::scene

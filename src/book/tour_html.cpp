@@ -93,6 +93,17 @@ std::string versions(const Book& book, const BookDifference& difference, const P
 
 } // namespace
 
+Book for_client(Book book, bool has_notes) {
+    book.is_for_client = true;
+    book.fixtures.clear();
+    for (BookEntry& entry : book.entries) {
+        entry.changes.clear();
+        entry.unknown.clear();
+        if (!has_notes) entry.notes.clear();
+    }
+    return book;
+}
+
 std::string tour_html(const Book& book, const BookDifference* difference, const TourPage& page) {
     const std::string title = page.title.empty() ? book.show : page.title;
     std::string text = html_begin(title, PaperSize::a4, page.style.language);

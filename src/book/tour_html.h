@@ -19,6 +19,9 @@ struct TourPage {
     std::string film;  // "film.mp4", or "": none
 };
 
+// What of a book a client gets: pictures, names and times; notes only where they are asked for.
+Book for_client(Book book, bool has_notes);
+
 // book: all entries have pictures from the same cameras. difference: or null.
 std::string tour_html(const Book& book, const BookDifference* difference, const TourPage& page);
 

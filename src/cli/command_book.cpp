@@ -73,8 +73,10 @@ Result<void> make_book(BookArguments& arguments) {
                                scene::html_of(drawn.book, difference ? &*difference : nullptr, paper,
                                               arguments.book.style, layout)));
     if (arguments.pdf) {
+        Report report;
         TRY(const std::string pdf,
-            scene::pdf_of(drawn.book, folder.written_to(), paper, arguments.book.style, layout));
+            scene::pdf_of(drawn.book, folder.written_to(), paper, report, arguments.book.style, layout));
+        print_report(report);
         TRY_VOID(write_file_atomic(folder.written_to() / "book.pdf", pdf));
     }
     TRY_VOID(folder.commit());

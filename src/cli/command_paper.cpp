@@ -37,7 +37,7 @@ struct PaperArguments {
     std::string out;
     std::string size = "A4";
     PrintOptions print;
-    double circuit_w = scene::kCircuit_w;
+    std::optional<double> circuit_w;
     std::string sheet;
     std::string scale = "fit";
     std::optional<double> section_x_m;
@@ -77,8 +77,9 @@ Result<scene::Drawings> draw_plan(const PaperArguments& arguments, const scene::
 }
 
 Result<void> write_plan(const Result<scene::Drawings>& drawn, scene::PaperSize paper,
-                        const WholeFolder& folder) {
+                        const WholeFolder& folder, Report& report) {
     if (!drawn.ok()) return drawn.error();
+    if (!drawn->boxes.empty()) report.add(Severity::warning, "plan.pdf", drawn->boxes);
     TRY_VOID(write_file_atomic(folder.written_to() / "plan.pdf", drawn->pdf));
     log_info("plan at 1:" + std::to_string(drawn->plan_scale) +
              ", section at 1:" + std::to_string(drawn->section_scale) + ": " + std::to_string(drawn->sheets) +
@@ -104,7 +105,7 @@ Result<void> draw_focus(const PaperArguments& arguments, const scene::Show& show
     const scene::FocusChart chart =
         scene::focus_of(show, moment.states, has_stage ? find : scene::FindHit{}, style, moment.said);
     TRY_VOID(write_file_atomic(folder.written_to() / "focus.csv", scene::csv_of(scene::table_of(chart))));
-    TRY(const std::string pdf, scene::pdf_of(chart, scene::paper_named(arguments.size)));
+    TRY(const std::string pdf, scene::pdf_of(chart, scene::paper_named(arguments.size), report));
     return write_file_atomic(folder.written_to() / "focus.pdf", pdf);
 }
 
@@ -152,13 +153,13 @@ Result<void> make_paper(const PaperArguments& arguments) {
         TRY_VOID(write_file_atomic(folder.written_to() / (table.file + ".csv"), scene::csv_of(table)));
     const scene::PaperSize size = scene::paper_named(arguments.size);
     if (arguments.pdf) {
-        TRY(const std::string pdf, scene::pdf_of(paper, size));
+        TRY(const std::string pdf, scene::pdf_of(paper, size, report));
         TRY_VOID(write_file_atomic(folder.written_to() / "paper.pdf", pdf));
         if (interrupted()) return interruption;
     }
     goes_on(kTablesShare, "plan and section");
     if (plan.valid())
-        add(write_plan(plan.get(), sheet_of(arguments), folder), "plan.pdf",
+        add(write_plan(plan.get(), sheet_of(arguments), folder, report), "plan.pdf",
             style("Plan") + ", " + style("Section"));
     if (focus) add(*focus, "focus.pdf", style("Focus charts"));
     progress.finish();
@@ -190,9 +191,12 @@ void add_paper(CLI::App& app, int& exit_code) {
         ->capture_default_str();
     add_print_options(*command, a->print);
     command->add_flag("--pdf", a->pdf, "write paper.pdf, too: all tables, landscape");
-    command->add_option("--circuit", a->circuit_w, "watts of a circuit in the proposal of phases")
-        ->check(number_in(1.0, 1e6))
-        ->capture_default_str();
+    command
+        ->add_option("--circuit", a->circuit_w,
+                     "watts of a circuit in the proposal of phases (default: 3680, which is 16 A at 230 V; "
+                     "with imperial units 2400, 20 A at 120 V)")
+        ->type_name("WATTS")
+        ->check(number_in(1.0, 1e6));
     CLI::Option* plan =
         command->add_flag("--plan", a->plan, "write plan.pdf, too: plan and section to scale, with symbols");
     command

@@ -38,6 +38,7 @@ struct TourArguments {
     PrintOptions print;
     TourFilm film;
     bool cues = false, looks = false;
+    bool notes = false;
 };
 
 Result<void> check_usage(TourArguments& arguments) {
@@ -82,10 +83,10 @@ Result<void> make_tour(TourArguments& arguments) {
         TRY_VOID(draw_tour_film(session, arguments.film, folder.written_to() / kFilmFile));
         arguments.page.film = kFilmFile;
     }
-    TRY_VOID(write_file_atomic(folder.written_to() / kTourFile, scene::text_of(drawn.book)));
-    TRY_VOID(
-        write_file_atomic(folder.written_to() / "index.html",
-                          scene::tour_html(drawn.book, difference ? &*difference : nullptr, arguments.page)));
+    const scene::Book shown = scene::for_client(drawn.book, arguments.notes);
+    TRY_VOID(write_file_atomic(folder.written_to() / kTourFile, scene::text_of(shown)));
+    TRY_VOID(write_file_atomic(folder.written_to() / "index.html",
+                               scene::tour_html(shown, difference ? &*difference : nullptr, arguments.page)));
     TRY_VOID(folder.commit());
     log_info("wrote " + arguments.out + ": " + std::to_string(drawn.book.entries.size()) + " looks from " +
              std::to_string(drawn.frame.cameras.size()) + " cameras; open index.html in it");
@@ -136,6 +137,8 @@ void add_tour(CLI::App& app, int& exit_code) {
         ->check(number_in(0.0, kLongest_s));
     command->add_option("--title", a->page.title, "instead of the show's name");
     command->add_option("--note", a->page.note, "a line below the title");
+    command->add_flag("--notes", a->notes,
+                      "show the notes of the cues, too, which are the stage manager's (default: none)");
     add_print_options(*command, a->print);
     add_tone_option(*command, session.tone);
     command->add_option("--device", session.device, "Vulkan device: part of its name, or its number")

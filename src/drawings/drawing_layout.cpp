@@ -180,7 +180,10 @@ void Drawing::take_lines(const RiggedFixture& fixture, DrawnSymbol& symbol) {
 void Drawing::put(Labels& labels, DrawnLabel label, std::vector<std::string>* without) {
     double width = 0;
     const PdfText& look = label.is_bar ? kBarText : kLabelText;
-    for (const std::string& line : label.lines) width = std::max(width, pdf_.width_of(line, look));
+    for (const std::string& line : label.lines) {
+        width = std::max(width, pdf_.width_of(line, look));
+        pdf_.look_for_boxes(line);
+    }
     const double line_pt = label.is_bar ? 9 : kLabelLine_pt;
     const glm::dvec2 size(std::min(width, label.is_bar ? 2 * kWidestLabel_pt : kWidestLabel_pt) + 1.5,
                           line_pt * static_cast<double>(label.lines.size()));

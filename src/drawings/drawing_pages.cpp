@@ -193,6 +193,8 @@ void Drawing::draw_match_marks(const Extent2& window, std::size_t column, std::s
 
 void Drawing::draw(TitleBlock title, std::size_t first_sheet, std::size_t sheets,
                    const std::vector<LegendLine>& legend, std::size_t& legend_drawn) {
+    std::vector<std::string> notes = notes_;
+    if (const std::string boxes = pdf_.boxes_said(style_); !boxes.empty()) notes.push_back(boxes + ".");
     const glm::dvec2 size = frame_.size() * metre_pt_, room = room_.drawing.size();
     for (std::size_t row = 0; row < rows_; ++row)
         for (std::size_t column = 0; column < columns_; ++column) {
@@ -230,7 +232,7 @@ void Drawing::draw(TitleBlock title, std::size_t first_sheet, std::size_t sheets
             pdf_.shape(corners, true, {.line_grey = 0.4, .width_pt = 0.4});
             title.sheet = style_("%1 of %2", {std::to_string(first_sheet + row * columns_ + column + 1),
                                               std::to_string(sheets)});
-            legend_drawn = draw_column(pdf_, room_, style_, title, legend, notes_);
+            legend_drawn = draw_column(pdf_, room_, style_, title, legend, notes);
             if (row == 0 && column == 0) pdf_.mark(title.title);
             pdf_.end_page();
         }

@@ -51,6 +51,9 @@ Result<Drawings> drawings_of(const Show& show, const Stage& stage, const Drawing
     TRY(const std::size_t of_plan, plan.lay_out(made.plan_scale));
     TRY(const std::size_t of_section, section.lay_out(made.section_scale));
     made.sheets = of_plan + of_section;
+    for (const std::string& text : {title.show, title.date}) pdf.look_for_boxes(text);
+    for (const LegendLine& line : legend) pdf.look_for_boxes(line.type);
+    made.boxes = pdf.boxes_said(style);
     std::size_t legend_drawn = 0;
     title.title = style("Plan");
     title.remark = style("seen from above, up-stage at the top");

@@ -30,6 +30,7 @@ struct Drawings {
     std::string pdf;
     int plan_scale = 1, section_scale = 1;
     std::size_t sheets = 0;
+    std::string boxes; // what the sheets say of letters that no font has; "": all are there
 };
 
 // stage: with the bodies of fixtures (light/bodies.h). Error: more sheets than kMostSheets, with a scale that

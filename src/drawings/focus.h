@@ -4,6 +4,7 @@
 // from what the fixtures do at one moment. World metres, full angles in degrees. A beam that hits no floor
 // has no pool. Pure, any thread.
 
+#include "base/report.h"
 #include "base/result.h"
 #include "book/paper.h"
 #include "fixture/state.h"
@@ -57,8 +58,8 @@ struct FocusChart {
 FocusChart focus_of(const Show& show, std::span<const fixture::State> states, const FindHit& find,
                     const PrintStyle& style, const std::string& moment);
 PaperTable table_of(const FocusChart& chart); // "focus"
-// Ten lamps on a page. Error: no memory.
-Result<std::string> pdf_of(const FocusChart& chart, PaperSize paper);
+// Ten lamps on a page. report: gets what they say of letters that no font has. Error: no memory.
+Result<std::string> pdf_of(const FocusChart& chart, PaperSize paper, Report& report);
 
 // "1.75 m left" of the centre line, "3 m up-stage" of the set line; on it "0 m".
 std::string across_text(const PrintStyle& style, double x_m);

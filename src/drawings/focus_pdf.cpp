@@ -34,7 +34,8 @@ public:
                  (pdf_.height_pt() - kEdge_pt - kTop_pt - 14) / kDown};
     }
 
-    Result<std::string> draw() {
+    Result<std::string> draw(Report& report) {
+        look_for_boxes(report);
         const std::size_t of_page = kAcross * kDown;
         const std::size_t pages = std::max<std::size_t>(1, (chart_.lamps.size() + of_page - 1) / of_page);
         for (std::size_t page = 0; page < pages; ++page) {
@@ -52,6 +53,15 @@ public:
     }
 
 private:
+    void look_for_boxes(Report& report) {
+        pdf_.look_for_boxes(chart_.show);
+        for (const FocusLamp& lamp : chart_.lamps)
+            for (const std::string* text : {&lamp.name, &lamp.number, &lamp.position, &lamp.focus_point})
+                pdf_.look_for_boxes(*text);
+        if (const std::string said = pdf_.boxes_said(style_); !said.empty())
+            report.add(Severity::warning, "focus.pdf", said);
+    }
+
     double draw_head(std::size_t page, std::size_t pages) {
         const double width = pdf_.width_pt() - 2 * kEdge_pt;
         pdf_.line_of_text(kEdge_pt, kTop_pt - 12, 0.75 * width, chart_.show + ": " + style_("Focus charts"),
@@ -60,6 +70,8 @@ private:
                           style_("%1 of %2", {std::to_string(page + 1), std::to_string(pages)}),
                           {.size_pt = 8, .is_grey = true, .is_right = true});
         std::string said = chart_.moment;
+        if (const std::string boxes = pdf_.boxes_said(style_); page == 0 && !boxes.empty())
+            said += " " + boxes + ".";
         if (page == 0)
             for (const std::string& sentence : chart_.unknown) said += " " + sentence;
         pdf_.line_of_text(kEdge_pt, kTop_pt + 3, width, said, {.size_pt = 7, .is_grey = true});
@@ -213,8 +225,8 @@ private:
 
 } // namespace
 
-Result<std::string> pdf_of(const FocusChart& chart, PaperSize paper) {
-    return FocusPages(chart, paper).draw();
+Result<std::string> pdf_of(const FocusChart& chart, PaperSize paper, Report& report) {
+    return FocusPages(chart, paper).draw(report);
 }
 
 } // namespace ghost::scene

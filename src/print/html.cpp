@@ -23,15 +23,15 @@ img{display:block;width:100%;height:auto;background:#000}figcaption{color:#555;f
 .pencil{display:none}
 .grid{display:grid;grid-template-columns:repeat(auto-fill,minmax(14rem,1fr));gap:0 .8rem}.grid h2{font-size:1rem}
 .wide figure{max-width:none;flex-basis:100%}.chosen{display:flex;flex-wrap:wrap;gap:1rem;margin:.6rem 0}
-.chosen select{font:inherit;min-height:44px;max-width:100%}video{display:block;width:100%;height:auto;background:#000}
+.chosen label{min-width:0;max-width:100%}.chosen select{font:inherit;min-height:44px;max-width:100%}video{display:block;width:100%;height:auto;background:#000}
 .slide{position:relative}.slide .old{position:absolute;inset:0}.slide+input{width:100%;height:44px;margin:0}
-table{border-collapse:collapse;width:100%;font-size:.85rem;margin:.4rem 0 1rem}thead{display:table-header-group}
-th,td{border:1px solid #999;padding:.15rem .4rem;text-align:left;vertical-align:top}th{background:#eee}
+.table{overflow-x:auto;margin:.4rem 0 1rem}table{border-collapse:collapse;width:100%;font-size:.85rem}thead{display:table-header-group}
+th,td{border:1px solid #999;padding:.15rem .4rem;text-align:left;vertical-align:top;overflow-wrap:break-word}
+th{background:#eee;white-space:nowrap}td{max-width:16rem}.w{white-space:nowrap}
 .n{text-align:right;font-variant-numeric:tabular-nums;white-space:nowrap}.free td{background:#f3f7f0;color:#3b5b22}
 section{margin:1.2rem 0}
-@media print{body{font-size:9.5pt;margin:0;max-width:none;padding:0}nav{display:none}section+section{break-before:page}
+@media print{body{font-size:9.5pt;margin:0;max-width:none;padding:0}.table{overflow:visible}table{font-size:7.5pt}td{max-width:8rem}nav{display:none}section+section{break-before:page}
 tr{break-inside:avoid}.slide .old,.slide+input{display:none}figure{flex-basis:0;max-width:47%}
-
 .grid{grid-template-columns:repeat(3,1fr)}.grid figure{max-width:none}.grid .entry{padding:2mm 0;min-height:54mm}
 .pencil{display:block;border-bottom:1px solid #999;height:1.6em}}
 )";
@@ -61,13 +61,14 @@ std::string html_name(std::string_view name) {
     return "<bdi>" + html_text(name) + "</bdi>";
 }
 
-std::string html_begin(std::string_view title, PaperSize paper, Language language) {
+std::string html_begin(std::string_view title, PaperSize paper, Language language, bool is_wide) {
     std::string page = std::string("<!doctype html>\n<html lang=\"") +
                        (language == Language::english ? "en" : "de") + "\">\n<head>\n";
     page += kHead;
     page += "<title>" + html_text(title) + "</title>\n<style>\n";
     page += kStyle;
-    page += "@page{size:" + std::string(format_of(paper).name) + ";margin:14mm}\n";
+    page += "@page{size:" + std::string(format_of(paper).name) + (is_wide ? " landscape" : "") +
+            ";margin:" + (is_wide ? "10mm" : "14mm") + "}\n";
     page += "</style>\n</head>\n<body>\n";
     return page;
 }

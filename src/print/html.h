@@ -15,7 +15,8 @@ namespace ghost::scene {
 std::string html_text(std::string_view text);
 // A name that somebody chose, of any script: its direction stays its own.
 std::string html_name(std::string_view name);
-std::string html_begin(std::string_view title, PaperSize paper, Language language);
+// is_wide: prints landscape.
+std::string html_begin(std::string_view title, PaperSize paper, Language language, bool is_wide = false);
 std::string html_end();
 
 } // namespace ghost::scene

@@ -3,6 +3,7 @@
 
 #include "base/print.h"
 #include "image/jpeg_bytes.h"
+#include "print/quantities.h"
 
 #include <cairo-pdf.h>
 #include <pango/pangocairo.h>
@@ -14,7 +15,9 @@ namespace ghost::scene {
 namespace {
 
 constexpr double kGrey = 0.35;
+constexpr double kMostHeight_pt = 1e6;
 constexpr std::size_t kMeasuredBytes = 1000;
+constexpr long kQuotedLetters = 40;
 constexpr int kPictureQuality = 85;
 // None: cairo would write the time of day, and no two files would be equal.
 constexpr const char* kNoDate = "";
@@ -72,14 +75,24 @@ void PdfWriter::set_text(const std::string& text, const PdfText& look) {
 double PdfWriter::height_of(double width, double height, const std::string& text, const PdfText& look) {
     if (text.empty() || height < look.size_pt) return 0;
     PangoLayout* const layout = drawing_->layout;
-    set_text(text, look);
+    const auto measured = [&](const std::string& shown, double most) {
+        set_text(shown, look);
+        pango_layout_set_height(layout, static_cast<int>(most * PANGO_SCALE));
+        int taken = 0;
+        pango_layout_get_size(layout, nullptr, &taken);
+        return static_cast<double>(taken) / PANGO_SCALE;
+    };
     pango_layout_set_width(layout, static_cast<int>(width * PANGO_SCALE));
-    pango_layout_set_height(layout, static_cast<int>(height * PANGO_SCALE));
     pango_layout_set_wrap(layout, PANGO_WRAP_WORD_CHAR);
     pango_layout_set_ellipsize(layout, PANGO_ELLIPSIZE_END);
-    int taken = 0;
-    pango_layout_get_size(layout, nullptr, &taken);
-    return static_cast<double>(taken) / PANGO_SCALE;
+    std::string shown = with_whole_quantities(text);
+    // Of several paragraphs Pango drops those that have no room, without "…": then they are one.
+    if (shown.find('\n') != std::string::npos) {
+        const double taken = measured(shown, kMostHeight_pt);
+        if (taken <= height) return taken;
+        std::replace(shown.begin(), shown.end(), '\n', ' ');
+    }
+    return measured(shown, height);
 }
 
 double PdfWriter::text(double x, double y, double width, double height, const std::string& text,
@@ -111,6 +124,24 @@ double PdfWriter::width_of(const std::string& text, const PdfText& look) {
     int width = 0;
     pango_layout_get_size(layout, &width, nullptr);
     return static_cast<double>(width) / PANGO_SCALE;
+}
+
+void PdfWriter::look_for_boxes(const std::string& text) {
+    const auto is_ascii = [](char letter) { return static_cast<unsigned char>(letter) < 0x80; };
+    if (!boxed_.empty() || std::all_of(text.begin(), text.end(), is_ascii)) return;
+    width_of(text, {});
+    if (pango_layout_get_unknown_glyphs_count(drawing_->layout) == 0) return;
+    boxed_ = one_line(text);
+    if (g_utf8_strlen(boxed_.c_str(), -1) <= kQuotedLetters) return;
+    boxed_.resize(
+        static_cast<std::size_t>(g_utf8_offset_to_pointer(boxed_.c_str(), kQuotedLetters) - boxed_.c_str()));
+    boxed_ += "…";
+}
+
+std::string PdfWriter::boxes_said(const PrintStyle& style) const {
+    return boxed_.empty()
+               ? ""
+               : style("Letters that no font of this machine has are printed as boxes, as in '%1'", {boxed_});
 }
 
 void PdfWriter::line(double x, double y, double to_x, double to_y) {

@@ -7,6 +7,7 @@
 #include "base/result.h"
 #include "image/image.h"
 #include "print/paper_size.h"
+#include "print/print_style.h"
 
 #include <glm/vec2.hpp>
 #include <memory>
@@ -39,8 +40,8 @@ public:
     double width_pt() const { return width_pt_; }
     double height_pt() const { return height_pt_; }
 
-    // On the page that is open. What is wider is broken into lines, what is higher ends in "…". The height
-    // that it takes.
+    // On the page that is open. What is wider is broken into lines, a number and its unit stay together; what
+    // is higher ends in "…". The height that it takes.
     double text(double x, double y, double width, double height, const std::string& text,
                 const PdfText& look);
     // The height that it would take; 0: no text, or no room for a line.
@@ -49,6 +50,10 @@ public:
     void line_of_text(double x, double y, double width, const std::string& text, const PdfText& look);
     // Width that it has in one line, at most 1000 letters of it.
     double width_of(const std::string& text, const PdfText& look);
+    // Of a text that is going to be drawn: whether no font of this machine has one of its letters.
+    void look_for_boxes(const std::string& text);
+    // A sentence about such texts; "": there is none.
+    std::string boxes_said(const PrintStyle& style) const;
     void line(double x, double y, double to_x, double to_y);
     void fill(double x, double y, double width, double height, double grey);
     void shape(std::span<const glm::dvec2> points, bool is_closed, const PdfInk& ink);
@@ -72,6 +77,7 @@ private:
 
     double width_pt_, height_pt_;
     int page_ = 1;
+    std::string boxed_; // the first text with such a letter
     std::unique_ptr<Drawing> drawing_;
 };
 

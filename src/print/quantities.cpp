@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "print/quantities.h"
 
+#include <algorithm>
 #include <cctype>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <iterator>
+#include <string_view>
 
 namespace ghost::scene {
 namespace {
@@ -35,6 +38,26 @@ std::string number_text(float value, int decimals) {
         if (result.back() == '.') result.pop_back();
     }
     return result == "-0" ? "0" : result;
+}
+
+std::string with_whole_quantities(const std::string& text) {
+    constexpr std::string_view kUnits[] = {"s",  "m",  "%",  "A",  "V",   "W",   "K",
+                                           "kg", "lb", "Hz", "lx", "deg", "Grad"};
+    constexpr std::string_view kSpace = "\xc2\xa0";
+    std::string whole;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        bool is_within = false;
+        if (text[i] == ' ' && i > 0 && std::isdigit(static_cast<unsigned char>(text[i - 1]))) {
+            std::size_t end = i + 1;
+            while (end < text.size() &&
+                   (std::isalpha(static_cast<unsigned char>(text[end])) || text[end] == '%'))
+                ++end;
+            const std::string_view unit = std::string_view(text).substr(i + 1, end - i - 1);
+            is_within = std::find(std::begin(kUnits), std::end(kUnits), unit) != std::end(kUnits);
+        }
+        is_within ? whole += kSpace : whole += text[i];
+    }
+    return whole;
 }
 
 std::size_t digits_at_end(const std::string& name) {

@@ -12,6 +12,9 @@ namespace ghost::scene {
 // At most so many decimals, and none that are 0: "12", "12.5". -0 is "0".
 std::string number_text(float value, int decimals);
 
+// A space between a number and its unit breaks no line: "12 s", "0 to 80 %".
+std::string with_whole_quantities(const std::string& text);
+
 // "Spot 1-8, Wash 3 and 5 more": names that count on are one piece. In the order they come.
 std::string names_text(const std::vector<std::string>& names, const PrintStyle& style = {});
 

@@ -217,7 +217,7 @@ TEST(Page, of_a_book_has_numbers_and_pages_of_the_script) {
         EXPECT_NE(page.find("<h2>2. <bdi>Verse</bdi></h2>"), std::string::npos) << "by its place";
         EXPECT_NE(page.find("page 12 of the script"), std::string::npos);
         EXPECT_NE(page.find("pictures/0001-1.png"), std::string::npos);
-        EXPECT_EQ(page.find("0 to 80 %") == std::string::npos, layout == BookLayout::grid);
+        EXPECT_EQ(page.find("0 to 80\u00a0%") == std::string::npos, layout == BookLayout::grid);
     }
 }
 

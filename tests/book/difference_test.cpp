@@ -4,6 +4,7 @@
 
 #include "book/book_html.h"
 #include "book/book_json.h"
+#include "book/tour_html.h"
 
 #include <algorithm>
 #include <gtest/gtest.h>
@@ -52,6 +53,27 @@ TEST(Difference, matches_entries_by_number_then_by_name) {
     EXPECT_EQ(older_entries(old, now), (std::vector<std::optional<std::size_t>>{0, 1, std::nullopt, 2, 3}));
     EXPECT_EQ(difference_of(old, now).entries, (Sentences{"'Dark' is new", "'Chorus' was called 'Verse'",
                                                           "'Solo' has the number '5', had '4'"}));
+}
+
+TEST(Difference, since_a_tour_says_that_it_names_no_fixtures) {
+    Book now = book({"a", "b"});
+    now.fixtures = {spot("Spot 1", 1)};
+    now.entries[0].notes = "Stand by";
+    now.entries[0].changes = {{{"Spot 1"}, "0 to 80 %"}};
+    now.entries[0].unknown = {"Spot 1 is not known"};
+    const Book tour = for_client(now, false);
+    const std::string text = text_of(tour);
+    for (const char* const secret : {"Spot 1", "Stand by", "Standard"})
+        EXPECT_EQ(text.find(secret), std::string::npos) << secret;
+    EXPECT_NE(text_of(for_client(now, true)).find("Stand by"), std::string::npos);
+    const auto read = book_from(text, "tour");
+    ASSERT_TRUE(read.ok()) << read.error().text();
+    EXPECT_TRUE(read->is_for_client);
+    const BookDifference difference = difference_of(*read, now);
+    EXPECT_TRUE(difference.entries.empty());
+    EXPECT_EQ(difference.fixtures,
+              (Sentences{"the older one is a tour, which names no fixtures: they are not compared"}));
+    EXPECT_FALSE(book_from(text_of(now), "book")->is_for_client);
 }
 
 TEST(Difference, names_fixtures_that_are_new_gone_moved_and_patched) {

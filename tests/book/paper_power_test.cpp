@@ -73,6 +73,22 @@ TEST(Phases, are_a_proposal_of_circuits_that_hold) {
     EXPECT_EQ(table_named(small, "phases_proposal").unknown.back(), "Above 500 W by itself: Spot 1-6.");
 }
 
+TEST(Phases, without_watts_are_of_usual_circuits) {
+    const Paper metric = paper_of(rig());
+    const PaperTable& phases = table_named(metric, "phases_proposal");
+    EXPECT_TRUE(phases.unknown.at(1).starts_with("Circuits of at most 3680 W"));
+    EXPECT_TRUE(phases.unknown.at(2).starts_with("16 A at 230 V")) << phases.unknown.at(2);
+    const Paper feet = paper_of(rig(), {Language::english, Units::imperial});
+    const PaperTable& imperial = table_named(feet, "phases_proposal");
+    EXPECT_TRUE(imperial.unknown.at(1).starts_with("Circuits of at most 2400 W"));
+    EXPECT_TRUE(imperial.unknown.at(2).starts_with("20 A at 120 V")) << imperial.unknown.at(2);
+    for (const PaperRow& row : imperial.rows) EXPECT_LE(std::stod(row.cells.back()), 2400);
+    const Paper asked = paper_of(rig(), {Language::english, Units::imperial}, 3680);
+    EXPECT_TRUE(
+        table_named(asked, "phases_proposal").unknown.at(1).starts_with("Circuits of at most 3680 W"));
+    EXPECT_TRUE(table_named(asked, "phases_proposal").unknown.at(2).starts_with("Phase L1"));
+}
+
 TEST(Phases, are_not_there_where_nobody_says_a_power) {
     Show show = rig();
     for (PatchedFixture& fixture : show.fixtures) fixture.type = nullptr;

@@ -167,6 +167,35 @@ TEST(Wheels, have_their_slots) {
     EXPECT_TRUE(column(wheels, "colour").at(1).starts_with("#ff0")) << column(wheels, "colour").at(1);
 }
 
+TEST(Wheels, of_gobos_have_a_colour_only_where_their_slot_has_one) {
+    Show show;
+    show.fixtures = {hung("a", 1, 1)};
+    const auto gobos = std::make_shared<fixture::Type>(*show.fixtures[0].type);
+    for (fixture::Channel& channel : gobos->modes.at(0).channels)
+        for (fixture::ChannelFunction& function : channel.functions)
+            if (function.wheel >= 0) function.meaning.role = fixture::Role::gobo_wheel;
+    fixture::Slot leaves{.name = "Leaves", .media_file = "leaves"};
+    gobos->wheels.at(0).slots.push_back(leaves);
+    show.fixtures[0].type = gobos;
+    const PaperTable wheels = table(paper_of(show), "gobos_colours");
+    EXPECT_EQ(column(wheels, "kind").at(2), "gobo");
+    EXPECT_EQ(column(wheels, "picture").at(2), "leaves");
+    EXPECT_EQ(column(wheels, "colour").at(0), "open");
+    EXPECT_TRUE(column(wheels, "colour").at(1).starts_with("#ff0")) << "a coloured gobo";
+    EXPECT_EQ(column(wheels, "colour").at(2), "");
+}
+
+TEST(Tables, have_codes_that_no_line_of_a_page_breaks) {
+    Show show;
+    show.fixtures = {hung("a", 61, 106)};
+    const std::string page = html_of(paper_of(show), PaperSize::a4);
+    EXPECT_NE(page.find("<td class=\"w\"><bdi>61.106</bdi></td>"), std::string::npos);
+    EXPECT_NE(page.find("@page{size:A4 landscape"), std::string::npos);
+    for (int i = 2; i < 30; ++i) show.fixtures[0].more_addresses.push_back({61, i});
+    const std::string many = html_of(paper_of(show), PaperSize::a4);
+    EXPECT_NE(many.find("<td><bdi>61.106 + 61.2 + "), std::string::npos) << "too long for one line";
+}
+
 TEST(Tables, of_a_show_without_fixtures_are_made) {
     const Paper paper = paper_of(Show{});
     EXPECT_EQ(paper.tables.size(), 7u);

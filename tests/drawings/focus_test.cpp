@@ -109,7 +109,8 @@ TEST(Focus, whose_edge_leaves_the_floor_says_so) {
             << at - pool.begin();
     EXPECT_GT(nearest - pool.begin(), 10);
     EXPECT_GT(pool.end() - nearest, 10);
-    EXPECT_TRUE(must(pdf_of(chart, PaperSize::a4)).starts_with("%PDF-"));
+    Report report;
+    EXPECT_TRUE(must(pdf_of(chart, PaperSize::a4, report)).starts_with("%PDF-"));
 }
 
 TEST(Focus, charts_have_equal_bytes_and_name_who_has_no_beam) {
@@ -120,8 +121,10 @@ TEST(Focus, charts_have_equal_bytes_and_name_who_has_no_beam) {
     const FocusChart chart = focus_of(show, states_of(show), {}, {}, "Now.");
     EXPECT_EQ(chart.lamps.size(), 1u);
     EXPECT_NE(chart.unknown.back().find("Dark"), std::string::npos);
-    EXPECT_EQ(must(pdf_of(chart, PaperSize::letter)), must(pdf_of(chart, PaperSize::letter)));
-    EXPECT_TRUE(must(pdf_of(FocusChart{}, PaperSize::a4)).starts_with("%PDF-"));
+    Report report;
+    EXPECT_EQ(must(pdf_of(chart, PaperSize::letter, report)), must(pdf_of(chart, PaperSize::letter, report)));
+    EXPECT_TRUE(must(pdf_of(FocusChart{}, PaperSize::a4, report)).starts_with("%PDF-"));
+    EXPECT_TRUE(report.messages.empty());
 }
 
 TEST(Focus, says_left_and_right_as_the_house_sees_it) {

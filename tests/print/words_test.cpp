@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The table of words: whole in both languages; numbers and lengths as each of them writes.
 #include "print/print_style.h"
+#include "print/quantities.h"
 
 #include <algorithm>
 #include <gtest/gtest.h>
@@ -44,6 +45,14 @@ TEST(Lengths, are_metres_or_feet_and_inches) {
     EXPECT_EQ(imperial.length(0.3047), "1'-0\"");
     EXPECT_EQ(metric.weight(10), "10");
     EXPECT_EQ(imperial.weight(10), "22");
+}
+
+TEST(Quantities, are_whole) {
+    EXPECT_EQ(with_whole_quantities("fade 12 s, 0 to 80 %, 3 spots"),
+              "fade 12\u00a0s, 0 to 80\u00a0%, 3 spots");
+    EXPECT_EQ(with_whole_quantities("6.26 m up-stage, zoom 12 to 24 deg"),
+              "6.26\u00a0m up-stage, zoom 12 to 24\u00a0deg");
+    EXPECT_EQ(with_whole_quantities("Spot s 5 "), "Spot s 5 ");
 }
 
 } // namespace

@@ -135,6 +135,28 @@ class Book(unittest.TestCase):
         for part in ("1. Opening <b>", "2. Blue", "47.5. Finale", "page 12 of the script", "page 1 of 1", "Spot 1:"):
             self.assertIn(part, text)
 
+    def test_says_on_paper_what_has_no_room(self):
+        # Twelve lamps do twelve things: more than a fourth of a page holds; and notes that are long, but not too long.
+        lamps = [f"{kind} {k}" for kind in ("Spot", "Wash") for k in range(1, 6)]
+        notes = " ".join(f"note{k}" for k in range(60))
+        cues = f'[[cue]]\nname = "Dark"\nat_s = 0\n[[cue]]\nname = "A name that needs more than one line of the third of a page {"w" * 30}"\nlook = "All"\n[[cue]]\nname = "Noted"\nat_s = 0\nlook = "None"\nnotes = "{notes}"\n'
+        folder = show("many", cues)
+        looks = '[[look]]\nname = "None"\n[[look]]\nname = "All"\n' + "".join(
+            f'[[look.fixture]]\nname = "{lamp}"\nintensity = {(k + 1) / 20}\n' for k, lamp in enumerate(lamps))
+        (folder / "looks.toml").write_text(looks, encoding="utf-8")
+        for language, more in (("en", r"and (\d+) more: see index.html"), ("de", r"und (\d+) weitere: siehe index.html")):
+            out = WORK / f"many_{language}"
+            code, text = run("book", folder, "-o", out, "--pdf", "--view", "house", "--language", language, *SIZE)
+            self.assertEqual(code, 0, text)
+            entry = json.loads((out / "book.json").read_text(encoding="utf-8"))["entries"][1]
+            self.assertEqual(len(entry["changes"]), len(lamps))
+            words = " ".join(pdf_text(out / "book.pdf").split())
+            drawn = words[words.index("2. A name"):words.index("3. Noted")]
+            self.assertIn("w" * 10, drawn)
+            left = int(re.search(more, drawn).group(1))
+            self.assertEqual(sum(f"{lamp}: " in drawn for lamp in lamps) + left, len(lamps))
+            self.assertIn("note59", words)
+
     def test_as_a_grid_it_has_the_pictures_alone(self):
         code, text = run("book", self.show, "-o", WORK / "grid", "--pdf", "--layout", "grid", *SIZE)
         self.assertEqual(code, 0, text)
@@ -263,7 +285,8 @@ class Paper(unittest.TestCase):
         self.assertEqual({path.name for path in (WORK / "paper").iterdir()},
                          {"index.html", "paper.pdf", *(name + ".csv" for name in ("instruments", "hookup", "patch", "universes", "gobos_colours", "types", "positions"))})
         text = pdf_text(WORK / "paper/paper.pdf")
-        for part in ("Instrument schedule", "Patch by universe", "Wash 5", "free"):
+        pages = int(re.search(r"^Pages: +(\d+)", subprocess.run(["pdfinfo", WORK / "paper/paper.pdf"], capture_output=True, text=True, check=True).stdout, re.M).group(1))
+        for part in ("Instrument schedule", "Patch by universe", "Wash 5", "free", f"page 1 of {pages}", f"page {pages} of {pages}"):
             self.assertIn(part, text)
         page = Page(WORK / "paper/index.html")
         self.assertEqual(page.sources, [])

@@ -16,7 +16,5 @@ std::string entry_number(const BookEntry& entry, std::size_t place);
 std::string times_text(const BookEntry& entry, const PrintStyle& style);
 // Lines of what changes, as many as a page takes, and how many more there are.
 std::vector<std::string> change_lines(const BookEntry& entry, const PrintStyle& style);
-// The same, a line each; "nothing that is seen".
-std::string changes_text(const BookEntry& entry, const PrintStyle& style);
 
 } // namespace ghost::scene

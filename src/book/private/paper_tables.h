@@ -7,6 +7,7 @@
 #include "fixture/patch.h"
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -25,7 +26,7 @@ PaperTable cables_of(const Show& show, const PrintStyle& style);
 PaperTable plugs_of(const Show& show, const PrintStyle& style);
 PaperTable circuits_of(const Show& show, const PrintStyle& style);
 PaperTable phases_of(const Show& show, const PrintStyle& style);
-PaperTable phases_proposed(const Show& show, const PrintStyle& style, double circuit_w);
+PaperTable phases_proposed(const Show& show, const PrintStyle& style, std::optional<double> circuit_w);
 
 std::string said_address(const PrintStyle& style, int universe, int channel);
 

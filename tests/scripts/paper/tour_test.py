@@ -68,6 +68,25 @@ class Tour(unittest.TestCase):
         self.assertIn("Draft <2>", page.text)
         self.assertIn("Blue <b>", page.text)
 
+    def test_keeps_what_is_the_crews(self):
+        folder = show("noted")
+        (folder / "show.toml").write_text((folder / "show.toml").read_text(encoding="utf-8") + '[[cue]]\nname = "Opening"\nat_s = 20\nnotes = "Mind the trap"\n', encoding="utf-8")
+        for arguments, has_notes in (([], False), (["--notes"], True)):
+            out = WORK / f"noted_{has_notes}"
+            code, text = run("tour", folder, "-o", out, "--cues", "--view", "house", *arguments, *SIZE)
+            self.assertEqual(code, 0, text)
+            for file in ("index.html", "book.json"):
+                content = (out / file).read_text(encoding="utf-8")
+                self.assertEqual("Mind the trap" in content, has_notes, file)
+                for secret in ("Spot 1", "addresses\": [", "VL2500"):
+                    self.assertNotIn(secret, content)
+        # A book against it says what it cannot compare.
+        code, text = run("book", folder, "-o", WORK / "since_tour", "--view", "house", "--against", WORK / "noted_False", *SIZE)
+        self.assertEqual(code, 0, text)
+        page = Page(WORK / "since_tour/index.html").text
+        self.assertIn("the older one is a tour, which names no fixtures", page)
+        self.assertNotIn("is new", page)
+
     def test_has_a_film_that_browsers_play(self):
         film = (WORK / "tour/film.mp4").read_bytes()
         self.assertEqual(film[4:8], b"ftyp")
