@@ -13,6 +13,7 @@
 #include "light/bodies.h"
 #include "live/session/session.h"
 #include "rays/tracer.h"
+#include "show_folder/hang.h"
 
 #include "base/interrupt.h"
 #include "base/log.h"
@@ -20,9 +21,11 @@
 #include "base/steady_time.h"
 
 #include <future>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace ghost::app {
 namespace {
@@ -87,23 +90,52 @@ Result<void> write_plan(const Result<scene::Drawings>& drawn, scene::PaperSize p
     return {};
 }
 
-Result<void> draw_focus(const PaperArguments& arguments, const scene::Show& show, const scene::Stage& stage,
+// As movers have it at that moment. hung: as the show has it; kept: holds another one where it takes one.
+const scene::Stage& stage_at(const scene::Show& show, const scene::MoverMotion& movers,
+                             const scene::Stage& hung, std::optional<scene::Stage>& kept) {
+    if (!movers.has_moved()) return hung;
+    kept = hung;
+    for (const scene::CarriedObject& object : scene::carried_objects(show, hung))
+        kept->instances[object.instance].world = movers.moved(object.mover) * object.home;
+    return *kept;
+}
+
+bool is_bar(const scene::Stage& stage, const scene::Instance& instance) {
+    const scene::Mesh& mesh = stage.meshes[static_cast<std::size_t>(instance.mesh)];
+    const auto bar = scene::bar_of(mesh.positions, instance.world);
+    return bar && scene::is_slender(*bar);
+}
+
+Result<void> draw_focus(const PaperArguments& arguments, const scene::Show& show, const scene::Stage& hung,
                         const WholeFolder& folder, Report& report) {
     const scene::PrintStyle style = arguments.print.style();
     TRY(const RigMoment moment, moment_of(show, arguments.moment, style, report));
+    std::optional<scene::Stage> kept;
+    const scene::Stage& stage = stage_at(show, moment.movers, hung, kept);
+    std::vector<glm::mat4> moved;
+    for (const scene::PatchedFixture& fixture : show.fixtures)
+        moved.push_back(moment.movers.moved(fixture.mover));
     const bake::DenormalsOff denormals;
     const bake::Tracer tracer(stage);
     constexpr float kReach_m = 300;
+    std::map<int, bool> are_bars; // by instance
+    // Bodies of fixtures are in no ray's way.
     const scene::FindHit find = [&](const glm::vec3& from_m,
                                     const glm::vec3& way) -> std::optional<scene::FocusHit> {
         const bake::Tracer::Meeting met = tracer.meet(from_m, way, kReach_m);
         if (met.instance < 0) return std::nullopt;
-        return scene::FocusHit{met.distance_m, met.normal,
-                               stage.instances[static_cast<std::size_t>(met.instance)].name};
+        const scene::Instance& instance = stage.instances[static_cast<std::size_t>(met.instance)];
+        scene::FocusHit hit{met.distance_m, met.normal, instance.name};
+        if (met.distance_m < scene::kAtLens_m) {
+            const auto [known, is_new] = are_bars.try_emplace(met.instance);
+            if (is_new) known->second = is_bar(stage, instance);
+            hit.is_bar = known->second;
+        }
+        return hit;
     };
     const bool has_stage = !show.stage.instances.empty();
     const scene::FocusChart chart =
-        scene::focus_of(show, moment.states, has_stage ? find : scene::FindHit{}, style, moment.said);
+        scene::focus_of(show, moment.states, has_stage ? find : scene::FindHit{}, style, moment.said, moved);
     TRY_VOID(write_file_atomic(folder.written_to() / "focus.csv", scene::csv_of(scene::table_of(chart))));
     TRY(const std::string pdf, scene::pdf_of(chart, scene::paper_named(arguments.size), report));
     return write_file_atomic(folder.written_to() / "focus.pdf", pdf);

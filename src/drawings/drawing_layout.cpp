@@ -13,7 +13,8 @@ namespace {
 
 constexpr double kMarginOfRig_m = 2, kMarginOfDrawing_m = 0.6;
 constexpr double kFinest_mm = 0.05; // on paper
-constexpr double kWidestLabel_pt = 95;
+constexpr double kWidestLabel = 17; // times the height of its letters
+constexpr double kWidestBarLabel_pt = 190;
 constexpr double kLeastSymbol_pt = 3; // smaller ones would be a dot
 constexpr double kSamePlace_pt = 2;   // in a section: behind each other
 
@@ -119,6 +120,7 @@ Result<std::size_t> Drawing::lay_out(int& scale) {
     place_symbols();
     Labels labels({{0, 0}, size});
     for (const DrawnSymbol& symbol : symbols_) labels.keep_free(symbol.box);
+    furnish(labels);
     place_bars(labels);
     place_labels(labels);
     return columns_ * rows_;
@@ -177,23 +179,20 @@ void Drawing::take_lines(const RiggedFixture& fixture, DrawnSymbol& symbol) {
         }
 }
 
-void Drawing::put(Labels& labels, DrawnLabel label, std::vector<std::string>* without) {
+bool Drawing::put(Labels& labels, DrawnLabel label, double widest_pt, std::vector<DrawnLabel>& placed) {
     double width = 0;
-    const PdfText& look = label.is_bar ? kBarText : kLabelText;
     for (const std::string& line : label.lines) {
-        width = std::max(width, pdf_.width_of(line, look));
+        width = std::max(width, pdf_.width_of(line, label.look));
         pdf_.look_for_boxes(line);
     }
-    const double line_pt = label.is_bar ? 9 : kLabelLine_pt;
-    const glm::dvec2 size(std::min(width, label.is_bar ? 2 * kWidestLabel_pt : kWidestLabel_pt) + 1.5,
-                          line_pt * static_cast<double>(label.lines.size()));
-    if (const auto placed = labels.place(size, label.around)) {
-        label.box = placed->box;
-        label.is_led = placed->is_led;
-        labels_.push_back(std::move(label));
-    } else if (without) {
-        without->push_back(label.lines.front());
-    }
+    const glm::dvec2 size(std::min(width, widest_pt) + 1.5,
+                          label.line_pt() * static_cast<double>(label.lines.size()));
+    const auto place = labels.place(size, label.around);
+    if (!place) return false;
+    label.box = place->box;
+    label.is_led = place->is_led;
+    placed.push_back(std::move(label));
+    return true;
 }
 
 // All of a bar's thickness at one of its ends, of which its line is the middle of the underside.
@@ -207,7 +206,7 @@ Extent2 Drawing::end_of(const Bar& bar, const glm::vec3& end_m) const {
     return box;
 }
 
-// "Truss 1, z = 6.40 m, 10 m long"; positions without a truss at their first fixture.
+// "Truss 1, underside 6.40 m, length 10 m"; positions without a truss at their first fixture.
 void Drawing::place_bars(Labels& labels) {
     std::map<std::string, bool> named;
     std::vector<glm::dvec2> places;
@@ -222,21 +221,26 @@ void Drawing::place_bars(Labels& labels) {
         if (is_known) continue; // behind another one
         places.push_back(end);
         DrawnLabel label;
-        label.is_bar = true;
+        label.look = kBarText;
         label.around = end_of(bar.bar, from.x <= to.x ? bar.bar.from_m : bar.bar.to_m);
         label.around.grow(2);
-        label.lines = {bar.name + ", z = " + style_.length_said(static_cast<double>(bar.bar.from_m.z)) +
-                       (is_plan_ ? ", " + style_.length_said(static_cast<double>(bar.bar.length_m())) : "")};
-        put(labels, std::move(label), nullptr);
+        const std::string underside = style_.length_said(static_cast<double>(bar.bar.from_m.z));
+        // From end to end is no length of what is bent.
+        const bool has_length = is_plan_ && bar.bar.bow_m == 0;
+        label.lines = {has_length ? style_("%1, underside %2, length %3",
+                                           {bar.name, underside,
+                                            style_.length_said(static_cast<double>(bar.bar.length_m()))})
+                                  : style_("%1, underside %2", {bar.name, underside})};
+        if (!put(labels, std::move(label), kWidestBarLabel_pt, labels_)) ++unnamed_bars_;
     }
     for (std::size_t i = 0; i < rig_.size(); ++i) {
         if (rig_[i].position.empty() || named[rig_[i].position]) continue;
         named[rig_[i].position] = true;
         DrawnLabel label;
-        label.is_bar = true;
+        label.look = kBarText;
         label.around = symbols_[i].box;
         label.lines = {rig_[i].position};
-        put(labels, std::move(label), nullptr);
+        if (!put(labels, std::move(label), kWidestBarLabel_pt, labels_)) ++unnamed_bars_;
     }
 }
 
@@ -270,17 +274,31 @@ void Drawing::place_labels(Labels& labels) {
         groups[{std::lround(std::clamp(cell.x, -1e9, 1e9)), std::lround(std::clamp(cell.y, -1e9, 1e9))}]
             .push_back(i);
     }
-    std::vector<std::string> without;
-    for (const auto& [cell, group] : groups) {
-        DrawnLabel label;
-        for (const std::size_t i : group) label.around.include(symbols_[i].box);
-        label.lines = words_of(group);
-        put(labels, std::move(label), &without);
+    // As large as a sheet is read best, smaller where more of them find room then.
+    std::vector<DrawnLabel> best;
+    std::size_t fewest = groups.size() + 1;
+    for (const double letters_pt : {this->letters_pt(), kLeastLetters_pt}) {
+        Labels taken = labels;
+        std::vector<DrawnLabel> placed;
+        std::size_t without = 0;
+        for (const auto& [cell, group] : groups) {
+            DrawnLabel label;
+            label.look = {.size_pt = letters_pt, .is_middle = true};
+            for (const std::size_t i : group) label.around.include(symbols_[i].box);
+            label.lines = words_of(group);
+            if (!put(taken, std::move(label), kWidestLabel * letters_pt, placed)) ++without;
+        }
+        if (without < fewest) {
+            fewest = without;
+            best = std::move(placed);
+        }
+        if (without == 0 || letters_pt == kLeastLetters_pt) break;
     }
-    notes_ = notes(without);
+    labels_.insert(labels_.end(), best.begin(), best.end());
+    notes_ = notes(fewest);
 }
 
-std::vector<std::string> Drawing::notes(const std::vector<std::string>& without) const {
+std::vector<std::string> Drawing::notes(std::size_t unlabelled) const {
     std::vector<std::string> said;
     said.push_back(style_("Beside a symbol: [number on the position] (channel) universe.address."));
     const auto of_files = std::count_if(symbols_.begin(), symbols_.end(),
@@ -308,9 +326,14 @@ std::vector<std::string> Drawing::notes(const std::vector<std::string>& without)
     if (sizeless > 0)
         said.push_back(style_("Size not known of %1: drawn %2 wide.",
                               {std::to_string(sizeless), style_.length_said(kAssumedSize_m)}));
-    if (!without.empty())
+    if (unlabelled > 0)
         said.push_back(style_("No room for the words beside %1; the instrument schedule has them.",
-                              {std::to_string(without.size())}));
+                              {std::to_string(unlabelled)}));
+    if (unnamed_bars_ > 0)
+        said.push_back(style_("No room for the names of %1 trusses and hanging positions.",
+                              {std::to_string(unnamed_bars_)}));
+    if (!show_.movers.empty())
+        said.push_back(style_("What movers carry is drawn where the show has it, not as in a look."));
     if (outlines_.simplified > 0)
         said.push_back(
             style_("Simplified to their outermost line: %1 of %2 objects.",

@@ -16,7 +16,7 @@ constexpr PdfInk kGridStrong{.line_grey = 0.72, .width_pt = 0.3};
 constexpr PdfInk kAxis{.line_grey = 0.25, .width_pt = 0.5, .dash_pt = 9};
 constexpr PdfInk kLeader{.line_grey = 0.45, .width_pt = 0.25};
 constexpr PdfInk kBody{.line_grey = 0, .width_pt = 0.35, .fill_grey = 1};
-constexpr PdfText kGridText{.size_pt = 5.5, .is_grey = true, .is_middle = true};
+constexpr double kBesideGrid_pt = 26; // for numbers left of the drawing
 
 } // namespace
 
@@ -45,7 +45,8 @@ void Drawing::draw_grid(const glm::dvec2& offset, const Extent2& window) {
     draw(1);
     pdf_.end_clip();
     // Numbers along the left and the lower side.
-    const double least_pt = 9 * kPointsOfMm;
+    const double letters_pt = this->letters_pt();
+    const double least_pt = 9 * kPointsOfMm * letters_pt / kLeastLetters_pt;
     const double every = std::max(1.0, std::ceil(least_pt / (step * metre_pt_)));
     for (int axis = 0; axis < 2; ++axis)
         for (double k = std::ceil(frame_.low[axis] / step); k * step <= frame_.high[axis]; ++k) {
@@ -55,11 +56,15 @@ void Drawing::draw_grid(const glm::dvec2& offset, const Extent2& window) {
             const glm::dvec2 at = paper_of(point) + offset;
             if (at[axis] < window.low[axis] - 0.1 || at[axis] > window.high[axis] + 0.1) continue;
             const std::string number = style_.length(k * step);
-            if (axis == 0)
-                pdf_.line_of_text(at.x - 20, window.high.y + 2, 40, number, kGridText);
-            else
-                pdf_.line_of_text(window.low.x - 27, at.y - 4, 26, number,
-                                  {.size_pt = 5.5, .is_grey = true, .is_right = true});
+            PdfText look{
+                .size_pt = letters_pt, .is_grey = true, .is_right = axis == 1, .is_middle = axis == 0};
+            if (axis == 0) {
+                pdf_.line_of_text(at.x - 25, window.high.y + 2, 50, number, look);
+                continue;
+            }
+            if (pdf_.width_of(number, look) > kBesideGrid_pt) look.size_pt = kLeastLetters_pt;
+            pdf_.line_of_text(window.low.x - kBesideGrid_pt - 1, at.y - 0.7 * look.size_pt, kBesideGrid_pt,
+                              number, look);
         }
 }
 
@@ -89,11 +94,6 @@ void Drawing::draw_lines(const glm::dvec2& offset, const Extent2& window) {
         from[axis] = to[axis] = 0;
         const std::array line{paper_of(from) + offset, paper_of(to) + offset};
         pdf_.lines(line, kAxis);
-        const std::string name = is_plan_ ? (axis == 0 ? style_("centre line") : style_("set line, y = 0"))
-                                          : (axis == 0 ? style_("set line, y = 0") : style_("stage, z = 0"));
-        const glm::dvec2 at = axis == 0 ? glm::dvec2(line[0].x + 2, window.low.y + 2)
-                                        : glm::dvec2(window.low.x + 3, line[0].y - 8);
-        pdf_.line_of_text(at.x, at.y, 90, name, {.size_pt = 5.5, .is_grey = true});
     }
 }
 
@@ -132,107 +132,71 @@ void Drawing::draw_rig(const glm::dvec2& offset, const Extent2& window) {
         double y = box.low.y;
         pdf_.fill(box.low.x, box.low.y, box.size().x, box.size().y, 1);
         for (const std::string& line : label.lines) {
-            pdf_.line_of_text(box.low.x, y, box.size().x, line, label.is_bar ? kBarText : kLabelText);
-            y += kLabelLine_pt;
+            pdf_.line_of_text(box.low.x, y, box.size().x, line, label.look);
+            y += label.line_pt();
         }
     }
 }
 
-void Drawing::draw_scale_bar(const Extent2& window) {
-    const double unit = style_.units == Units::metric ? 1.0 : 0.3048;
-    double step = 0.1 * unit;
-    for (const double next : {0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0, 500.0, 1000.0, 5000.0})
-        if (step * metre_pt_ < 10 * kPointsOfMm) step = next * unit;
-    const double length = step * metre_pt_, x = window.high.x - 3 * length - 26, y = window.high.y - 10;
-    pdf_.fill(x - 8, y - 12, 3 * length + 32, 20, 1);
-    for (int k = 0; k < 3; ++k) {
-        const Extent2 box{{x + k * length, y}, {x + (k + 1) * length, y + 3}};
-        const glm::dvec2 corners[] = {box.low, {box.high.x, box.low.y}, box.high, {box.low.x, box.high.y}};
-        pdf_.shape(corners, true, {.width_pt = 0.4, .fill_grey = k % 2 == 0 ? 0.0 : 1.0});
-    }
-    for (int k = 0; k <= 3; ++k)
-        pdf_.line_of_text(x + k * length - 20, y - 9, 40,
-                          k < 3 ? style_.length(k * step) : style_.length_said(k * step),
-                          {.size_pt = 6, .is_middle = true});
+std::vector<Extent2> Drawing::match_words(const Extent2& window, std::size_t column, std::size_t row) const {
+    constexpr double kHalf_pt = 0.5 * kSheetOverlap_pt;
+    constexpr glm::dvec2 kSize_pt(80, 7.5);
+    std::vector<Extent2> boxes;
+    const auto add = [&](double x, double y) { boxes.push_back({{x, y}, glm::dvec2(x, y) + kSize_pt}); };
+    if (column > 0) add(window.low.x + kHalf_pt + 2, window.low.y + 12);
+    if (column + 1 < columns_) add(window.high.x - kHalf_pt - 2 - kSize_pt.x, window.low.y + 20);
+    if (row > 0) add(window.middle().x, window.low.y + kHalf_pt + 2);
+    if (row + 1 < rows_) add(window.middle().x, window.high.y - kHalf_pt - 9);
+    return boxes;
 }
 
 void Drawing::draw_match_marks(const Extent2& window, std::size_t column, std::size_t row,
                                std::size_t first) {
-    const auto sheet = [&](std::size_t x, std::size_t y) {
-        return style_("goes on: sheet %1", {std::to_string(first + y * columns_ + x + 1)});
-    };
     const double half = 0.5 * kSheetOverlap_pt;
     const PdfInk mark{.line_grey = 0, .width_pt = 0.6, .dash_pt = 5};
-    const PdfText look{.size_pt = 6, .is_bold = true};
-    if (column > 0)
-        pdf_.lines(
-            std::array{window.low + glm::dvec2(half, 0), glm::dvec2(window.low.x + half, window.high.y)},
-            mark);
-    if (column > 0)
-        pdf_.line_of_text(window.low.x + half + 2, window.low.y + 12, 120, sheet(column - 1, row), look);
-    if (column + 1 < columns_) {
-        pdf_.lines(
-            std::array{glm::dvec2(window.high.x - half, window.low.y), window.high - glm::dvec2(half, 0)},
-            mark);
-        pdf_.line_of_text(window.high.x - half - 122, window.low.y + 20, 120, sheet(column + 1, row),
-                          {.size_pt = 6, .is_bold = true, .is_right = true});
-    }
-    if (row > 0) {
-        pdf_.lines(
-            std::array{window.low + glm::dvec2(0, half), glm::dvec2(window.high.x, window.low.y + half)},
-            mark);
-        pdf_.line_of_text(window.middle().x, window.low.y + half + 2, 120, sheet(column, row - 1), look);
-    }
-    if (row + 1 < rows_) {
-        pdf_.lines(
-            std::array{glm::dvec2(window.low.x, window.high.y - half), window.high - glm::dvec2(0, half)},
-            mark);
-        pdf_.line_of_text(window.middle().x, window.high.y - half - 9, 120, sheet(column, row + 1), look);
+    const glm::dvec2 low = window.low + half, high = window.high - half;
+    std::vector<glm::dvec2> ends;
+    std::vector<std::size_t> sheets; // in the order of match_words
+    const auto add = [&](const glm::dvec2& from, const glm::dvec2& to, std::size_t x, std::size_t y) {
+        ends.insert(ends.end(), {from, to});
+        sheets.push_back(first + y * columns_ + x + 1);
+    };
+    if (column > 0) add({low.x, window.low.y}, {low.x, window.high.y}, column - 1, row);
+    if (column + 1 < columns_) add({high.x, window.low.y}, {high.x, window.high.y}, column + 1, row);
+    if (row > 0) add({window.low.x, low.y}, {window.high.x, low.y}, column, row - 1);
+    if (row + 1 < rows_) add({window.low.x, high.y}, {window.high.x, high.y}, column, row + 1);
+    for (std::size_t k = 0; k + 1 < ends.size(); k += 2) pdf_.lines(std::span(ends).subspan(k, 2), mark);
+    const std::vector<Extent2> boxes = match_words(window, column, row);
+    for (std::size_t k = 0; k < boxes.size(); ++k) {
+        const bool is_right = boxes[k].high.x > window.high.x - half - 3;
+        pdf_.line_of_text(boxes[k].low.x, boxes[k].low.y, boxes[k].size().x,
+                          style_("goes on: sheet %1", {std::to_string(sheets[k])}),
+                          {.size_pt = 6, .is_bold = true, .is_right = is_right});
     }
 }
 
 void Drawing::draw(TitleBlock title, std::size_t first_sheet, std::size_t sheets,
                    const std::vector<LegendLine>& legend, std::size_t& legend_drawn) {
-    std::vector<std::string> notes = notes_;
-    if (const std::string boxes = pdf_.boxes_said(style_); !boxes.empty()) notes.push_back(boxes + ".");
-    const glm::dvec2 size = frame_.size() * metre_pt_, room = room_.drawing.size();
+    std::vector<std::string> remarks = notes_;
+    if (const std::string boxes = pdf_.boxes_said(style_); !boxes.empty()) remarks.push_back(boxes + ".");
     for (std::size_t row = 0; row < rows_; ++row)
         for (std::size_t column = 0; column < columns_; ++column) {
-            Extent2 window = room_.drawing;
-            const glm::dvec2 step = room - kSheetOverlap_pt;
-            const glm::dvec2 place(static_cast<double>(column), static_cast<double>(row));
-            glm::dvec2 offset = room_.drawing.low - place * step;
-            // In the middle where one sheet has all of it.
-            for (int axis = 0; axis < 2; ++axis)
-                if ((axis == 0 ? columns_ : rows_) == 1) {
-                    offset[axis] += 0.5 * (room[axis] - size[axis]);
-                    window.low[axis] = offset[axis];
-                    window.high[axis] = offset[axis] + size[axis];
-                } else {
-                    window.high[axis] = std::min(window.high[axis], offset[axis] + size[axis]);
-                }
+            const SheetPart& part = parts_[row * columns_ + column];
+            const Extent2& window = part.window;
+            const glm::dvec2& offset = part.offset;
             draw_grid(offset, window);
             pdf_.begin_clip(window.low.x, window.low.y, window.size().x, window.size().y);
             draw_lines(offset, window);
             draw_rig(offset, window);
             draw_match_marks(window, column, row, first_sheet);
-            const PdfText ways{.size_pt = 7, .is_bold = true, .is_grey = true, .is_middle = true};
-            const double ways_x = window.low.x + 0.25 * window.size().x - 60; // beside the centre line
-            if (is_plan_ && row + 1 == rows_)
-                pdf_.line_of_text(ways_x, window.high.y - 11, 120, style_("HOUSE"), ways);
-            if (is_plan_ && row == 0)
-                pdf_.line_of_text(ways_x, window.low.y + 2, 120, style_("UP-STAGE"), ways);
-            if (!is_plan_ && column == 0)
-                pdf_.line_of_text(window.low.x + 3, window.low.y + 2, 120, style_("HOUSE"),
-                                  {.size_pt = 7, .is_bold = true, .is_grey = true});
-            draw_scale_bar(window);
+            draw_furniture(part);
             pdf_.end_clip();
             const glm::dvec2 corners[] = {
                 window.low, {window.high.x, window.low.y}, window.high, {window.low.x, window.high.y}};
             pdf_.shape(corners, true, {.line_grey = 0.4, .width_pt = 0.4});
             title.sheet = style_("%1 of %2", {std::to_string(first_sheet + row * columns_ + column + 1),
                                               std::to_string(sheets)});
-            legend_drawn = draw_column(pdf_, room_, style_, title, legend, notes);
+            legend_drawn = draw_column(pdf_, room_, style_, title, legend, remarks);
             if (row == 0 && column == 0) pdf_.mark(title.title);
             pdf_.end_page();
         }

@@ -16,10 +16,29 @@ constexpr float kLevel = 0.8f; // upward part of a floor's normal
 constexpr int kEdge = 48;      // points of a pool
 constexpr float kFarthest_m = 300;
 constexpr float kOnLine_m = 0.005f;
+constexpr float kBehind_m = 0.001f; // what is looked through
+
+// A file without a Beam has been given one, and where its zooms have no range they have been given the angle
+// of its first Beam at both ends.
+bool is_angle_said(const fixture::Type& type, const fixture::Mode& mode, const fixture::BeamState& shown) {
+    const auto& beam = type.geometries[static_cast<std::size_t>(shown.geometry)].beam;
+    if (!beam) return true; // of a laser
+    if (beam->is_assumed) return false;
+    const auto first = std::find_if(type.geometries.begin(), type.geometries.end(),
+                                    [](const fixture::Geometry& one) { return one.beam.has_value(); });
+    const float given_deg = first->beam->field_angle_deg;
+    bool has_zoom = false, has_range = false;
+    for (const fixture::Channel& channel : mode.channels)
+        for (const fixture::ChannelFunction& function : channel.functions) {
+            if (function.meaning.role != fixture::Role::zoom) continue;
+            has_zoom = true;
+            has_range |= function.physical_from != given_deg || function.physical_to != given_deg;
+        }
+    return !has_zoom || has_range;
+}
 
 // The middle of all its beams.
-void aim(const PatchedFixture& fixture, const fixture::State& state, FocusLamp& lamp) {
-    const glm::mat4 to_world = fixture_to_world(fixture, 0);
+void aim(const glm::mat4& to_world, const fixture::State& state, FocusLamp& lamp) {
     glm::vec3 lens(0), way(0);
     for (const fixture::BeamState& beam : state.beams) {
         const glm::mat4 frame = to_world * beam.to_fixture;
@@ -30,6 +49,17 @@ void aim(const PatchedFixture& fixture, const fixture::State& state, FocusLamp& 
     lamp.lens_m = lens;
     lamp.way = glm::normalize(way);
     lamp.angle_deg = state.beams[0].optics.zoom_deg;
+}
+
+std::optional<FocusHit> hit_of(FocusLamp& lamp, const FindHit& find) {
+    for (float gone_m = 0;;) {
+        std::optional<FocusHit> hit = find(lamp.lens_m + gone_m * lamp.way, lamp.way);
+        if (!hit) return hit;
+        hit->distance_m += gone_m;
+        if (!hit->is_bar || hit->distance_m >= kAtLens_m) return hit;
+        lamp.is_looked_past = true;
+        gone_m = hit->distance_m + kBehind_m;
+    }
 }
 
 void add_pool(FocusLamp& lamp) {
@@ -76,13 +106,13 @@ std::string along_text(const PrintStyle& style, double y_m) {
 }
 
 FocusChart focus_of(const Show& show, std::span<const fixture::State> states, const FindHit& find,
-                    const PrintStyle& style, const std::string& moment) {
+                    const PrintStyle& style, const std::string& moment, std::span<const glm::mat4> moved) {
     FocusChart chart;
     chart.show = show.name.empty() ? show.folder.filename().string() : show.name;
     chart.style = style;
     chart.moment = moment;
     const std::vector<Hanging> hangings = hangings_of(show);
-    std::vector<std::string> beamless;
+    std::vector<std::string> beamless, angleless, looked_past, near;
     for (const std::size_t i : in_hanging_order(hangings)) {
         const PatchedFixture& fixture = show.fixtures[i];
         if (!fixture.type || i >= states.size() || states[i].beams.empty()) {
@@ -95,25 +125,43 @@ FocusChart focus_of(const Show& show, std::span<const fixture::State> states, co
         lamp.position = hangings[i].position;
         lamp.unit = hangings[i].unit;
         lamp.focus_point = hangings[i].focus;
-        lamp.place_m = fixture.position_m;
+        const glm::mat4 by = i < moved.size() ? moved[i] : glm::mat4(1.0f);
+        lamp.place_m = glm::vec3(by * glm::vec4(fixture.position_m, 1.0f));
         lamp.pan_deg = states[i].pan_deg;
         lamp.tilt_deg = states[i].tilt_deg;
         lamp.has_axes = !states[i].axes.empty();
         lamp.light_percent = values_of(*fixture.type, states[i]).light_percent;
-        aim(fixture, states[i], lamp);
+        aim(by * fixture_to_world(fixture, 0), states[i], lamp);
+        lamp.is_angle_known =
+            is_angle_said(*fixture.type, fixture.type->modes[static_cast<std::size_t>(fixture.mode)],
+                          states[i].beams.front());
         if (find)
-            lamp.hit = find(lamp.lens_m, lamp.way);
+            lamp.hit = hit_of(lamp, find);
         else if (lamp.way.z < -1e-3f && lamp.lens_m.z > 0)
             lamp.hit = FocusHit{-lamp.lens_m.z / lamp.way.z, {0, 0, 1}, ""};
         lamp.is_on_floor = lamp.hit && lamp.hit->normal.z > kLevel;
-        if (lamp.is_on_floor) add_pool(lamp);
+        if (lamp.is_on_floor && lamp.is_angle_known) add_pool(lamp);
+        if (!lamp.is_angle_known) angleless.push_back(fixture.name);
+        if (lamp.is_looked_past) looked_past.push_back(fixture.name);
+        if (find && lamp.hit && lamp.hit->distance_m < kAtLens_m) near.push_back(fixture.name);
     }
+    const std::string at_lens = style.length_said(static_cast<double>(kAtLens_m));
     if (!find)
         chart.unknown.push_back(style("The stage model could not be read: what a beam hits is not known, and "
                                       "its floor is z = 0."));
     if (!beamless.empty())
         chart.unknown.push_back(style("Without a beam, or without a file that could be read: %1.",
                                       {names_text(beamless, style)}));
+    if (!angleless.empty())
+        chart.unknown.push_back(style("Nobody says the angle of %1 (no Beam in the file, or a zoom without a "
+                                      "range): no pool is drawn.",
+                                      {names_text(angleless, style)}));
+    if (!looked_past.empty())
+        chart.unknown.push_back(style("Looked through is a truss or pipe within %1 of the lens of %2.",
+                                      {at_lens, names_text(looked_past, style)}));
+    if (!near.empty())
+        chart.unknown.push_back(style("What is hit within %1 of the lens may be a mistake of the model: %2.",
+                                      {at_lens, names_text(near, style)}));
     return chart;
 }
 
@@ -141,7 +189,7 @@ PaperTable table_of(const FocusChart& chart) {
               lamp.focus_point, lamp.hit ? place_text(style, lamp.aim_m()) : "",
               lamp.hit ? lamp.hit->what : style("hits nothing"),
               lamp.hit ? style.length(static_cast<double>(lamp.hit->distance_m)) : "",
-              style.number(static_cast<double>(lamp.angle_deg), 1),
+              lamp.is_angle_known ? style.number(static_cast<double>(lamp.angle_deg), 1) : "",
               lamp.has_axes ? style.number(static_cast<double>(lamp.pan_deg), 1) : "",
               lamp.has_axes ? style.number(static_cast<double>(lamp.tilt_deg), 1) : "",
               style.number(static_cast<double>(lamp.light_percent), 0)}});

@@ -1,8 +1,8 @@
 #pragma once
 // SPDX-License-Identifier: Apache-2.0
 // Focus charts: for each lamp its place, where its beam goes, what it hits there and its pool on that floor,
-// from what the fixtures do at one moment. World metres, full angles in degrees. A beam that hits no floor
-// has no pool. Pure, any thread.
+// from what the fixtures do at one moment. World metres, full angles in degrees. A beam that hits no floor,
+// or whose angle nobody says, has no pool. Pure, any thread.
 
 #include "base/report.h"
 #include "base/result.h"
@@ -25,7 +25,11 @@ struct FocusHit {
     float distance_m = 0;
     glm::vec3 normal{0, 0, 1}; // towards the lamp
     std::string what;          // name of the object
+    bool is_bar = false;       // a truss or a pipe
 };
+// Lenses stand in what carries them, or so near that it is the model that is hit and no aim.
+inline constexpr float kAtLens_m = 0.5f;
+
 // What a ray from there meets first. Nothing: nothing.
 using FindHit = std::function<std::optional<FocusHit>(const glm::vec3& from_m, const glm::vec3& way)>;
 
@@ -36,7 +40,9 @@ struct FocusLamp {
     glm::vec3 way{0, 0, -1};
     float pan_deg = 0, tilt_deg = 0;
     bool has_axes = false;
-    float angle_deg = 0; // field
+    float angle_deg = 0;         // field
+    bool is_angle_known = true;  // false: its file says none, and has been given one
+    bool is_looked_past = false; // a truss or pipe at its lens
     float light_percent = 0;
     std::optional<FocusHit> hit;
     bool is_on_floor = false;
@@ -54,9 +60,11 @@ struct FocusChart {
     std::vector<std::string> unknown; // sentences
 };
 
-// states: one for each fixture. find: null where there is no stage: then a beam ends on z = 0.
+// states: one for each fixture. find: null where there is no stage: then a beam ends on z = 0. moved: from
+// where the show hangs each fixture to where it is (Rig::moved); empty: no mover carries any.
 FocusChart focus_of(const Show& show, std::span<const fixture::State> states, const FindHit& find,
-                    const PrintStyle& style, const std::string& moment);
+                    const PrintStyle& style, const std::string& moment,
+                    std::span<const glm::mat4> moved = {});
 PaperTable table_of(const FocusChart& chart); // "focus"
 // Ten lamps on a page. report: gets what they say of letters that no font has. Error: no memory.
 Result<std::string> pdf_of(const FocusChart& chart, PaperSize paper, Report& report);

@@ -14,7 +14,11 @@ constexpr double kEdge_pt = 12 * kPointsOfMm, kTop_pt = 30, kGutter_pt = 10;
 constexpr std::size_t kAcross = 2, kDown = 5;
 constexpr double kLeastPicture_m = 4; // across
 constexpr double kWidestGrid = 14;    // squares of a metre
+constexpr double kLeastMeasure_m = 0.005;
 constexpr double kFactLine_pt = 9.2;
+constexpr double kCaption_pt = 8; // below a picture
+constexpr double kFigure_pt = 7.5, kBesideArrow_pt = 2.5;
+constexpr double kMostSaid_pt = 80; // at the head of the first page
 
 constexpr PdfInk kSquare{.line_grey = 0.85, .width_pt = 0.25};
 constexpr PdfInk kAxisLine{.line_grey = 0.35, .width_pt = 0.6, .dash_pt = 6};
@@ -25,17 +29,18 @@ constexpr PdfInk kBorder{.line_grey = 0.4, .width_pt = 0.5};
 constexpr PdfText kName{.size_pt = 9.5, .is_bold = true};
 constexpr PdfText kFact{.size_pt = 7.2};
 constexpr PdfText kTiny{.size_pt = 5.8, .is_middle = true};
+constexpr PdfText kCaption{.size_pt = 5.8};
+constexpr PdfText kSaid{.size_pt = 7, .is_grey = true};
 
 class FocusPages {
 public:
     FocusPages(const FocusChart& chart, PaperSize paper)
         : chart_(chart), style_(chart.style), pdf_(paper, false, chart.show + ": " + style_("Focus charts")) {
-        card_ = {(pdf_.width_pt() - 2 * kEdge_pt - kGutter_pt) / kAcross,
-                 (pdf_.height_pt() - kEdge_pt - kTop_pt - 14) / kDown};
     }
 
     Result<std::string> draw(Report& report) {
         look_for_boxes(report);
+        lay_out();
         const std::size_t of_page = kAcross * kDown;
         const std::size_t pages = std::max<std::size_t>(1, (chart_.lamps.size() + of_page - 1) / of_page);
         for (std::size_t page = 0; page < pages; ++page) {
@@ -62,6 +67,17 @@ private:
             report.add(Severity::warning, "focus.pdf", said);
     }
 
+    // What is said of all of them stands at the head of the first page, and cards have what is left.
+    void lay_out() {
+        said_ = chart_.moment;
+        if (const std::string boxes = pdf_.boxes_said(style_); !boxes.empty()) said_ += " " + boxes + ".";
+        for (const std::string& sentence : chart_.unknown) said_ += " " + sentence;
+        const double width = pdf_.width_pt() - 2 * kEdge_pt;
+        head_pt_ = std::max(11.0, pdf_.height_of(width, kMostSaid_pt, said_, kSaid) + 3);
+        card_ = {(width - kGutter_pt) / kAcross,
+                 (pdf_.height_pt() - kEdge_pt - kTop_pt - 3 - head_pt_) / kDown};
+    }
+
     double draw_head(std::size_t page, std::size_t pages) {
         const double width = pdf_.width_pt() - 2 * kEdge_pt;
         pdf_.line_of_text(kEdge_pt, kTop_pt - 12, 0.75 * width, chart_.show + ": " + style_("Focus charts"),
@@ -69,26 +85,18 @@ private:
         pdf_.line_of_text(kEdge_pt + 0.75 * width, kTop_pt - 10, 0.25 * width,
                           style_("%1 of %2", {std::to_string(page + 1), std::to_string(pages)}),
                           {.size_pt = 8, .is_grey = true, .is_right = true});
-        std::string said = chart_.moment;
-        if (const std::string boxes = pdf_.boxes_said(style_); page == 0 && !boxes.empty())
-            said += " " + boxes + ".";
-        if (page == 0)
-            for (const std::string& sentence : chart_.unknown) said += " " + sentence;
-        pdf_.line_of_text(kEdge_pt, kTop_pt + 3, width, said, {.size_pt = 7, .is_grey = true});
+        // What is not known is said once.
+        pdf_.text(kEdge_pt, kTop_pt + 3, width, head_pt_, page == 0 ? said_ : chart_.moment, kSaid);
         if (page == 0) pdf_.mark(style_("Focus charts"));
-        pdf_.line_of_text(
-            kEdge_pt, pdf_.height_pt() - kEdge_pt + 6, width,
-            style_("Left and right as the house sees them. A square of a picture is %1. The ellipse is the "
-                   "field (10 %) on the floor that the middle of the beam hits.",
-                   {style_.length_said(unit_m())}),
-            {.size_pt = 6, .is_grey = true});
-        return kTop_pt + 14;
+        pdf_.line_of_text(kEdge_pt, pdf_.height_pt() - kEdge_pt + 6, width,
+                          style_("Left and right as the house sees them. The ellipse is the field (10 %) on "
+                                 "the floor that the middle of the beam hits."),
+                          {.size_pt = 6, .is_grey = true});
+        return kTop_pt + 3 + head_pt_;
     }
 
-    double unit_m() const { return style_.units == Units::metric ? 1.0 : 0.3048; }
-
     void draw_card(const FocusLamp& lamp, const glm::dvec2& at) {
-        const double side = card_.y - 8;
+        const double side = card_.y - 4 - kCaption_pt;
         draw_picture(lamp, at, side);
         const double x = at.x + side + 6, width = card_.x - side - 6;
         double y = at.y;
@@ -113,7 +121,9 @@ private:
             fact(style_("hits nothing"));
         }
         const std::string angle =
-            style_("angle") + " " + style_.number(static_cast<double>(lamp.angle_deg), 1) + "\xc2\xb0";
+            lamp.is_angle_known
+                ? style_("angle") + " " + style_.number(static_cast<double>(lamp.angle_deg), 1) + "\xc2\xb0"
+                : style_("angle") + ": " + style_("not known");
         fact(lamp.hit ? style_("throw") + " " +
                             style_.length_said(static_cast<double>(lamp.hit->distance_m)) + ", " + angle
                       : angle);
@@ -151,23 +161,27 @@ private:
         draw_squares(middle, across, paper);
         std::vector<glm::dvec2> pool;
         for (const glm::dvec2& point : lamp.pool_m) pool.push_back(paper(point));
-        if (lamp.is_pool_whole)
+        if (lamp.is_pool_whole && !pool.empty())
             pdf_.shape(pool, true, kPool);
-        else
+        else if (!pool.empty())
             pdf_.shape(pool, false, {.line_grey = 0, .width_pt = 0.9});
         pdf_.lines(std::array{paper(glm::dvec2(glm::vec2(lamp.lens_m))), paper(aim)}, kBeamLine);
         pdf_.circle(paper(glm::dvec2(glm::vec2(lamp.lens_m))), 2,
                     {.line_grey = 0, .width_pt = 0.4, .fill_grey = 0});
         draw_measures(aim, at, side, paper);
         pdf_.circle(paper(aim), 1.4, {.line_grey = 0, .width_pt = 0.6, .fill_grey = 1});
-        if (!lamp.is_pool_whole)
-            pdf_.line_of_text(at.x + 2, at.y + 2, side - 4, style_("its edge reaches no floor"), kTiny);
-        say_square(at, side, across);
         pdf_.end_clip();
         pdf_.shape(frame, true, kBorder);
+        std::string caption = style_("a square: %1", {style_.length_said(step_of(across))});
+        if (!lamp.is_pool_whole) caption += "; " + style_("its edge reaches no floor");
+        if (!lamp.is_angle_known) caption += "; " + style_("angle") + ": " + style_("not known");
+        pdf_.line_of_text(at.x, at.y + side + 0.5, card_.x, caption, kCaption);
     }
 
-    double step_of(double across) const { return across / unit_m() > kWidestGrid ? 5 * unit_m() : unit_m(); }
+    double step_of(double across) const {
+        const double unit_m = style_.units == Units::metric ? 1.0 : 0.3048;
+        return across / unit_m > kWidestGrid ? 5 * unit_m : unit_m;
+    }
 
     void draw_squares(const glm::dvec2& middle, double across, const auto& paper) {
         const double step = step_of(across);
@@ -180,16 +194,6 @@ private:
         pdf_.lines(ends, kSquare);
         pdf_.lines(std::array{paper({0, low.y}), paper({0, high.y}), paper({low.x, 0}), paper({high.x, 0})},
                    kAxisLine);
-    }
-
-    // Where a square is not the one that the foot of the page names.
-    void say_square(const glm::dvec2& at, double side, double across) {
-        if (step_of(across) <= unit_m()) return;
-        const std::string said = style_("a square: %1", {style_.length_said(step_of(across))});
-        const double y = at.y + side - 9;
-        const double width = std::min(pdf_.width_of(said, kTiny) + 3, side - 2);
-        pdf_.fill(at.x + 1, y, width, 8, 1);
-        pdf_.line_of_text(at.x + 1, y + 0.5, width, said, kTiny);
     }
 
     // To the centre line and to the set line; where they are outside of the picture, up to its edge.
@@ -205,21 +209,42 @@ private:
             pdf_.shape(std::array{end, end + back + aside, end + back - aside}, true,
                        {.line_grey = -1, .fill_grey = 0.2});
         }
-        const auto words = [&](const glm::dvec2& middle, double distance_m) {
-            const std::string text = style_.length(std::abs(distance_m));
-            const double width = pdf_.width_of(text, kTiny) + 3;
-            const double x = std::clamp(middle.x - 0.5 * width, low.x, high.x - width);
-            const double y = std::clamp(middle.y - 4, low.y, high.y - 8);
-            pdf_.fill(x, y, width, 7.5, 1);
-            pdf_.line_of_text(x, y, width, text, kTiny);
-        };
-        if (glm::distance(from, to_centre) > 14) words(0.5 * (from + to_centre), aim.x);
-        if (glm::distance(from, to_set) > 10) words(0.5 * (from + to_set), aim.y);
+        // Each figure on the side of its arrow where the other arrow is not.
+        const bool is_set_below = to_set.y >= from.y, is_centre_right = to_centre.x > from.x;
+        figure(aim.x, low, high, [&](double width) {
+            return glm::dvec2(0.5 * (from.x + to_centre.x - width),
+                              is_set_below ? from.y - kBesideArrow_pt - kFigure_pt
+                                           : from.y + kBesideArrow_pt);
+        });
+        figure(aim.y, low, high, [&](double width) {
+            const double left = from.x - kBesideArrow_pt - width, right = from.x + kBesideArrow_pt;
+            const double middle = 0.5 * (from.y + to_set.y - kFigure_pt);
+            const bool has_room = is_centre_right ? left >= low.x : right + width <= high.x;
+            if (has_room)
+                return glm::dvec2(is_centre_right ? left : right,
+                                  is_set_below ? std::max(middle, from.y - 1)
+                                               : std::min(middle, from.y + 1 - kFigure_pt));
+            return glm::dvec2(is_centre_right ? right : left,
+                              is_set_below ? std::max(middle, from.y + kBesideArrow_pt)
+                                           : std::min(middle, from.y - kBesideArrow_pt - kFigure_pt));
+        });
+    }
+
+    // place: of its upper left corner, for its width.
+    void figure(double distance_m, const glm::dvec2& low, const glm::dvec2& high, const auto& place) {
+        if (std::abs(distance_m) < kLeastMeasure_m) return; // on the line
+        const std::string text = style_.length(std::abs(distance_m));
+        const double width = pdf_.width_of(text, kTiny) + 1.5;
+        const glm::dvec2 at = glm::clamp(place(width), low, high - glm::dvec2(width, kFigure_pt));
+        pdf_.fill(at.x, at.y, width, kFigure_pt, 1);
+        pdf_.line_of_text(at.x, at.y, width, text, kTiny);
     }
 
     const FocusChart& chart_;
     const PrintStyle& style_;
     PdfWriter pdf_;
+    std::string said_;
+    double head_pt_ = 0; // of what the first page says
     glm::dvec2 card_{0};
 };
 

@@ -179,6 +179,12 @@ inline constexpr Translation kWords[] = {
      "Was der Typ tut, ist von %1 nicht bekannt: die Datei war nicht lesbar oder sagt nichts."},
     {"No room for the words beside %1; the instrument schedule has them.",
      "Kein Platz für die Beschriftung von %1; sie steht in der Geräteliste."},
+    {"No room for the names of %1 trusses and hanging positions.",
+     "Kein Platz für die Namen von %1 Traversen und Positionen."},
+    {"What movers carry is drawn where the show has it, not as in a look.",
+     "Was Bühnenmaschinen tragen, ist dort gezeichnet, wo die Show es hat, nicht wie in einem Look."},
+    {"%1, underside %2", "%1, Unterkante %2"},
+    {"%1, underside %2, length %3", "%1, Unterkante %2, Länge %3"},
     {"Simplified to their outermost line: %1 of %2 objects.",
      "Auf ihre äußerste Linie vereinfacht: %1 von %2 Objekten."},
     {"Objects that are not drawn, for there are too many: %1.",
@@ -214,10 +220,17 @@ inline constexpr Translation kWords[] = {
     {"As in cue '%1'.", "Wie in Cue '%1'."},
     {"As the recording has it at %1 s.", "Wie in der Aufzeichnung bei %1 s."},
     {"As in look '%1'.", "Wie in Look '%1'."},
-    {"Left and right as the house sees them. A square of a picture is %1. The ellipse is the field (10 %) "
-     "on the floor that the middle of the beam hits.",
-     "Links und rechts vom Saal aus. Ein Kästchen ist %1. Die Ellipse ist das Feld (10 %) auf dem Boden, "
-     "den die Strahlmitte trifft."},
+    {"Left and right as the house sees them. The ellipse is the field (10 %) on the floor that the middle of "
+     "the beam hits.",
+     "Links und rechts vom Saal aus. Die Ellipse ist das Feld (10 %) auf dem Boden, den die Strahlmitte "
+     "trifft."},
+    {"Nobody says the angle of %1 (no Beam in the file, or a zoom without a range): no pool is drawn.",
+     "Den Winkel von %1 nennt niemand (kein Beam in der Datei oder ein Zoom ohne Bereich): kein Feld "
+     "gezeichnet."},
+    {"Looked through is a truss or pipe within %1 of the lens of %2.",
+     "Durchgesehen wird durch Traverse oder Rohr näher als %1 vor der Linse von %2."},
+    {"What is hit within %1 of the lens may be a mistake of the model: %2.",
+     "Was näher als %1 vor der Linse getroffen wird, kann ein Fehler des Modells sein: %2."},
     {"The stage model could not be read: what a beam hits is not known, and its floor is z = 0.",
      "Das Bühnenmodell war nicht lesbar: was ein Strahl trifft, ist nicht bekannt; sein Boden ist z = 0."},
     {"Without a beam, or without a file that could be read: %1.", "Ohne Strahl oder ohne lesbare Datei: %1."},

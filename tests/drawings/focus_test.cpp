@@ -9,7 +9,9 @@
 #include "support/tiny_gdtf.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>
 #include <memory>
 
@@ -125,6 +127,81 @@ TEST(Focus, charts_have_equal_bytes_and_name_who_has_no_beam) {
     EXPECT_EQ(must(pdf_of(chart, PaperSize::letter, report)), must(pdf_of(chart, PaperSize::letter, report)));
     EXPECT_TRUE(must(pdf_of(FocusChart{}, PaperSize::a4, report)).starts_with("%PDF-"));
     EXPECT_TRUE(report.messages.empty());
+}
+
+TEST(Focus, is_where_movers_carry_a_lamp) {
+    const Show show = lamp_at(0);
+    const std::array moved{glm::translate(glm::mat4(1.0f), {2, 0, -3})};
+    const FocusChart chart = focus_of(show, states_of(show), {}, {}, "Now.", moved);
+    const FocusLamp& lamp = chart.lamps.at(0);
+    EXPECT_NEAR(lamp.place_m.x, 3, 1e-5);
+    EXPECT_NEAR(lamp.place_m.z, 2, 1e-5);
+    ASSERT_TRUE(lamp.hit);
+    EXPECT_NEAR(lamp.hit->distance_m, 2, 1e-5);
+    EXPECT_NEAR(lamp.aim_m().x, 3, 1e-5);
+}
+
+// A truss from so far above the lamp's floor down to so far, and the floor.
+FindHit truss_and_floor(float high_m, float low_m, bool is_bar) {
+    return [=](const glm::vec3& from_m, const glm::vec3&) {
+        for (const float at_m : {high_m, low_m})
+            if (from_m.z > at_m) return std::optional(FocusHit{from_m.z - at_m, {0, 0, 1}, "Truss", is_bar});
+        return std::optional(FocusHit{from_m.z, {0, 0, 1}, "Floor"});
+    };
+}
+
+bool says(const FocusChart& chart, const std::string& part) {
+    return std::any_of(chart.unknown.begin(), chart.unknown.end(),
+                       [&](const std::string& sentence) { return sentence.find(part) != std::string::npos; });
+}
+
+TEST(Focus, looks_past_the_truss_at_the_lens_and_says_so) {
+    const Show show = lamp_at(0); // 5 m high
+    const FocusChart chart = focus_of(show, states_of(show), truss_and_floor(4.9f, 4.6f, true), {}, "Now.");
+    ASSERT_TRUE(chart.lamps.at(0).hit);
+    EXPECT_EQ(chart.lamps[0].hit->what, "Floor");
+    EXPECT_NEAR(chart.lamps[0].hit->distance_m, 5, 1e-4);
+    EXPECT_TRUE(says(chart, "Looked through is a truss or pipe within 0.5 m of the lens of Lamp."));
+    // What is farther away is in its way, and what is no truss is what it hits.
+    const FocusChart far = focus_of(show, states_of(show), truss_and_floor(4.4f, 4.1f, true), {}, "Now.");
+    EXPECT_EQ(far.lamps.at(0).hit->what, "Truss");
+    EXPECT_TRUE(far.unknown.empty());
+    const FocusChart near = focus_of(show, states_of(show), truss_and_floor(4.9f, 4.6f, false), {}, "Now.");
+    EXPECT_NEAR(near.lamps.at(0).hit->distance_m, 0.1, 1e-4);
+    EXPECT_TRUE(says(near, "within 0.5 m of the lens may be a mistake of the model: Lamp."));
+}
+
+std::string channel_of(const std::string& attribute, const std::string& geometry,
+                       const std::string& physical = "") {
+    return R"(<DMXChannel Offset="1" Geometry=")" + geometry + R"("><LogicalChannel Attribute=")" +
+           attribute + R"("><ChannelFunction Name="F" Attribute=")" + attribute + "\" " + physical +
+           "/></LogicalChannel></DMXChannel>";
+}
+
+TEST(Focus, prints_no_angle_and_no_pool_that_nobody_says) {
+    const std::string beam = R"(<Geometry Name="Base"><Beam Name="Beam" FieldAngle="20"/></Geometry>)";
+    const std::string beamless = R"(<Geometry Name="Base"/>)";
+    const struct {
+        std::string geometries, channels;
+        bool is_said;
+    } cases[] = {{beamless, channel_of("Dimmer", "Base"), false},
+                 {beam, channel_of("Zoom", "Beam"), false},
+                 {beam, channel_of("Zoom", "Beam", R"(PhysicalFrom="10" PhysicalTo="50")"), true},
+                 {beam, channel_of("Dimmer", "Beam"), true}};
+    for (const auto& one : cases) {
+        fixture::Description description;
+        description.geometries = one.geometries;
+        description.channels = one.channels;
+        Show show = lamp_at(0);
+        show.fixtures[0].type = std::make_shared<const fixture::Type>(fixture::loaded(description).type);
+        const FocusChart chart = focus_of(show, states_of(show), {}, {}, "Now.");
+        ASSERT_EQ(chart.lamps.size(), 1u) << one.channels;
+        EXPECT_EQ(chart.lamps[0].is_angle_known, one.is_said) << one.channels;
+        EXPECT_EQ(chart.lamps[0].pool_m.empty(), !one.is_said) << one.channels;
+        EXPECT_EQ(table_of(chart).rows[0].cells[9].empty(), !one.is_said) << one.channels;
+        EXPECT_EQ(says(chart, "Nobody says the angle of Lamp"), !one.is_said) << one.channels;
+        EXPECT_TRUE(must(pdf_of(chart, PaperSize::a4)).starts_with("%PDF-"));
+    }
 }
 
 TEST(Focus, says_left_and_right_as_the_house_sees_it) {

@@ -37,7 +37,7 @@ Result<dmx::Universes> levels_at(const scene::Show& show, double at_s, bool quie
 
 Result<RigMoment> moment_of(const scene::Show& show, const RigMomentOptions& options,
                             const scene::PrintStyle& style, Report& report) {
-    RigMoment moment;
+    RigMoment moment{{}, scene::MoverMotion(show.movers), {}};
     moment.said = style("As they are when nothing is sent.");
     TRY(const std::vector<scene::StoredLook> looks, scene::load_looks(scene::looks_file(show), report));
     std::optional<std::size_t> look;
@@ -67,6 +67,7 @@ Result<RigMoment> moment_of(const scene::Show& show, const RigMomentOptions& opt
     settle(rig, levels,
            look ? scene::programmer_of(looks[*look], show) : std::map<std::size_t, fixture::Programmer>{});
     moment.states = rig.states();
+    moment.movers = rig.movers();
     return moment;
 }
 

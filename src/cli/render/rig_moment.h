@@ -7,6 +7,7 @@
 #include "base/result.h"
 #include "fixture/state.h"
 #include "print/print_style.h"
+#include "show/mover_motion.h"
 
 #include <optional>
 #include <string>
@@ -26,6 +27,7 @@ struct RigMomentOptions {
 
 struct RigMoment {
     std::vector<fixture::State> states; // one for each fixture
+    scene::MoverMotion movers;          // where they are; refers to the show's
     std::string said;                   // "As in cue 'Blue'."
 };
 

@@ -13,21 +13,40 @@
 #include "show/show.h"
 
 #include <cstddef>
+#include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
 namespace ghost::scene {
 
 inline constexpr double kSheetOverlap_pt = 10 * kPointsOfMm;
-inline constexpr double kLabelLine_pt = 6.8;
-inline constexpr PdfText kLabelText{.size_pt = 5.5, .is_middle = true};
+inline constexpr double kLineOfText = 6.8 / 5.5; // of the height of its letters
+inline constexpr double kLeastLetters_pt = 5.5;
 inline constexpr PdfText kBarText{.size_pt = 7, .is_bold = true};
 
 // Words beside what they name, in points of the whole drawing.
 struct DrawnLabel {
     Extent2 box, around;
     std::vector<std::string> lines;
-    bool is_led = false, is_bar = false;
+    PdfText look;
+    bool is_led = false;
+    double line_pt() const { return kLineOfText * look.size_pt; }
+};
+
+// Words at the edge of a sheet, on white; "": room for those of match marks. Points of the page.
+struct EdgeWords {
+    Extent2 box;
+    std::string text;
+    PdfText look;
+};
+
+// One of the sheets that a drawing is spread over. Points of the page.
+struct SheetPart {
+    Extent2 window;               // of the drawing
+    glm::dvec2 offset{0};         // of the drawing's upper left corner
+    Extent2 scale_bar;            // with the white about it
+    std::vector<EdgeWords> words; // HOUSE, UP-STAGE, names of lines
 };
 
 struct DrawnSymbol {
@@ -62,12 +81,22 @@ private:
     void place_bars(Labels& labels);
     void place_labels(Labels& labels);
     std::vector<std::string> words_of(const std::vector<std::size_t>& group) const;
-    void put(Labels& labels, DrawnLabel label, std::vector<std::string>* without);
-    std::vector<std::string> notes(const std::vector<std::string>& without) const;
+    // False: there is no room.
+    bool put(Labels& labels, DrawnLabel label, double widest_pt, std::vector<DrawnLabel>& placed);
+    std::vector<std::string> notes(std::size_t unlabelled) const;
+    SheetPart part_at(std::size_t column, std::size_t row) const;
+    // Puts scale bars and edge words where they cover no symbol, and keeps labels away from them.
+    void furnish(Labels& labels);
+    // The first that holds nothing; else the first that covers symbols alone; nothing: there is none.
+    std::optional<Extent2> free_of_symbols(std::span<const Extent2> places, const SheetPart& part) const;
+    std::vector<Extent2> match_words(const Extent2& window, std::size_t column, std::size_t row) const;
+    double scale_step_m() const;
+    void draw_furniture(const SheetPart& part);
+    double letters_pt() const; // of what stands beside symbols and of the grid
     void draw_grid(const glm::dvec2& offset, const Extent2& window);
     void draw_lines(const glm::dvec2& offset, const Extent2& window);
     void draw_rig(const glm::dvec2& offset, const Extent2& window);
-    void draw_scale_bar(const Extent2& window);
+    void draw_scale_bar(const Extent2& box);
     void draw_match_marks(const Extent2& window, std::size_t column, std::size_t row, std::size_t first);
     double grid_step_m() const;
 
@@ -86,10 +115,12 @@ private:
     Extent2 frame_;                                            // metres
     double metre_pt_ = 1;
     std::size_t columns_ = 1, rows_ = 1;
+    std::vector<SheetPart> parts_; // row by row
     Outlines outlines_;
     std::vector<DrawnSymbol> symbols_;
     std::vector<DrawnLabel> labels_;
     std::vector<std::string> notes_;
+    std::size_t unnamed_bars_ = 0; // and hanging positions
 };
 
 } // namespace ghost::scene

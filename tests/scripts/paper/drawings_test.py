@@ -95,6 +95,19 @@ def words(pdf, page):
     return {word: (float(x), float(y)) for x, y, word in re.findall(r'<word xMin="([\d.]+)" yMin="([\d.]+)"[^>]*>([^<]*)<', text)}
 
 
+def boxes(pdf, page):
+    """Every word of a page: its letters, left, top, right, bottom."""
+    text = subprocess.run(["pdftotext", "-bbox", "-f", str(page), "-l", str(page), pdf, "-"], capture_output=True, text=True, check=True).stdout
+    found = re.findall(r'<word xMin="([\d.]+)" yMin="([\d.]+)" xMax="([\d.]+)" yMax="([\d.]+)">([^<]*)<', text)
+    return [(word, *map(float, box)) for *box, word in found]
+
+
+def covered(words):
+    """Pairs of words that lie on each other; lines of one text may touch."""
+    return [(a, b) for k, a in enumerate(words) for b in words[:k]
+            if min(a[3], b[3]) - max(a[1], b[1]) > 0.5 and min(a[4], b[4]) - max(a[2], b[2]) > 0.35 * min(a[4] - a[2], b[4] - b[2])]
+
+
 def text_of(pdf):
     fonts = subprocess.run(["pdffonts", pdf], capture_output=True, text=True, check=True).stdout.splitlines()[2:]
     assert fonts and all(font.split()[-5] == "yes" for font in fonts), fonts
@@ -146,7 +159,7 @@ class Drawings(unittest.TestCase):
         self.assertLess(at["UP-STAGE"][1], at["HOUSE"][1])
         self.assertLess(at["1.1"][0], at["1.89"][0])  # the addresses of Spot 1 and Spot 5
         said = text_of(out / "plan.pdf")
-        for part in ("Demo", "Plan", "Section", "1:50", "A3", "1 of 2", "2 of 2", "Truss 1, z = 6 m, 10 m", "Spot 3", "moving profile", "centre line"):
+        for part in ("Demo", "Plan", "Section", "1:50", "A3", "1 of 2", "2 of 2", "Truss 1, underside 6 m, length 10 m", "Spot 3", "moving profile", "centre line"):
             self.assertIn(part, said)
 
     def test_equal_input_gives_equal_bytes(self):
@@ -172,6 +185,81 @@ class Drawings(unittest.TestCase):
             feet, inches = re.match(r"(\d+)'-(\d+)", row["throw ft"]).groups()
             self.assertTrue(4.8 < (int(feet) + int(inches) / 12) * 0.3048 < 5.8, row)
         self.assertIn("13'-1 1/2\" left", text_of(out / "focus.pdf"))  # Spot 1, 4 m
+
+    def test_words_cover_no_words(self):
+        crowd = show("crowd", "".join(fixture(f"Spot {k}", (-7.5 + k % 26 * 0.6, -1.5 + k // 26 * 0.7, 6), 1 + 22 * (k % 23), universe=1 + k // 23)
+                                      for k in range(338)))
+        for sheet, scale in (("A3", "fit"), ("A1", "fit"), ("A3", "1:20")):
+            out = WORK / f"crowd_{sheet}_{scale[-2:]}"
+            code, text = run("paper", crowd, "-o", out, "--plan", "--scale", scale, "--sheet", sheet, "--quiet")
+            self.assertEqual(code, 0, text)
+            for page in (1, 2):
+                words = boxes(out / "plan.pdf", page)
+                if page == 1:
+                    self.assertTrue({"UP-STAGE", "centre"} & {word[0] for word in words}, "they find room")
+                if scale != "fit":  # what is cut off at the edge of a sheet is there for pdftotext
+                    words = [word for word in words if 48.2 <= word[1] and word[3] <= 982 and 30.3 <= word[2] and word[4] <= 793]
+                self.assertEqual(covered(words), [], (sheet, scale, page))
+
+    def test_letters_are_larger_on_large_sheets(self):
+        heights = {}
+        for sheet in ("A3", "A1"):
+            code, text = run("paper", self.show, "-o", WORK / f"letters_{sheet}", "--plan", "--sheet", sheet, "--scale", "1:50", "--quiet")
+            self.assertEqual(code, 0, text)
+            heights[sheet] = [word[4] - word[2] for word in boxes(WORK / f"letters_{sheet}/plan.pdf", 1) if word[0] == "1.23"]
+        self.assertAlmostEqual(heights["A1"][0] / heights["A3"][0], 7 / 5.5, delta=0.02)
+
+    def test_names_of_trusses_without_room_are_counted(self):
+        folder = show("bars", "".join(fixture(f"Spot {k}", (0, 0.4 * k, 5.8), 1 + 22 * k) for k in range(20)))
+        box_glb(folder / "stage.glb", [(f"A truss with a name as long as a truss can have number {k}", (-5, 0.4 * k - 0.1, 6), (5, 0.4 * k + 0.1, 6.2))
+                                       for k in range(20)])
+        code, text = run("paper", folder, "-o", WORK / "bars_paper", "--plan", "--sheet", "A4", "--scale", "1:200")
+        self.assertEqual(code, 0, text)
+        said = " ".join(text_of(WORK / "bars_paper/plan.pdf").split())
+        self.assertRegex(said, r"No room for the names of \d+ trusses and hanging positions")
+
+    def test_figures_of_a_focus_chart_stand_beside_their_arrows(self):
+        places = [(0.3, 3), (-0.3, 0.3), (3, -0.5), (-4, 6), (0.05, 0.05), (0, 2), (-3, 0.2), (4, -1)]
+        folder = show("figures", "".join(fixture(f"Spot {k + 1}", (x, y, 5.8), 1 + 22 * k) for k, (x, y) in enumerate(places)))
+        for units in ("metric", "imperial"):
+            out = WORK / f"figures_{units}"
+            code, text = run("paper", folder, "-o", out, "--focus", "--units", units)
+            self.assertEqual(code, 0, text)
+            words = boxes(out / "focus.pdf", 1)
+            self.assertEqual(covered(words), [])
+            lines = segments(out / "focus.pdf", 1)
+            arrows = [(a, b) for a, b in zip(lines, lines[1:]) if a[0] == b[0] and abs(a[0][1] - a[1][1]) < 0.02 and abs(b[0][0] - b[1][0]) < 0.02]
+            self.assertEqual(len(arrows), sum(x != 0 for x, _ in places))  # on the centre line there is none to it
+            figures = [word for word in words if word[4] - word[2] < 8 and re.match(r"[\d.]+('|$)", word[0])]
+            for (aim, centre), (_, set_line) in arrows:
+                for word, left, top, right, bottom in figures:
+                    for end in (centre, set_line):
+                        low, high = [min(aim[k], end[k]) for k in (0, 1)], [max(aim[k], end[k]) for k in (0, 1)]
+                        on_it = left < high[0] and low[0] < right and top + 1 < high[1] and low[1] < bottom - 1
+                        self.assertFalse(on_it, (units, word, (left, top, right, bottom), aim, end))
+            if units == "metric":
+                self.assertEqual(sum(word[0] == "0.3" for word in figures), 3, "short measures have their figures")
+                self.assertEqual(text_of(out / "focus.pdf").count("a square: 1 m"), len(places))
+
+    def test_focus_charts_are_where_movers_are(self):
+        folder = show("lift", fixture("Spot 1", (0, 3, 5.8), 1) + "[[mover]]\nname = 'Lift'\nkind = 'linear'\ndirection = [0.0, 0.0, 1.0]\n"
+                      "objects = ['Truss 1', 'Deck']\nfixtures = ['Spot 1']\n[[mover.axis]]\nrange_m = [0.0, -3.0]\nuniverse = 9\naddress = 1\n")
+        box_glb(folder / "stage.glb", [("Truss 1", (-5, 2.85, 6), (5, 3.15, 6.3)), ("Floor", (-8, -2, -0.2), (8, 8, 0)), ("Deck", (-8, -2, 3.2), (8, 8, 3.4))])
+        (folder / "looks.toml").write_text("".join(f"[[look]]\nname = '{name}'\n[[look.mover]]\nname = 'Lift'\nvalues = [{value}]\n"
+                                                   for name, value in (("up", 0.0), ("down", -2.0))), encoding="utf-8")
+        rows = {}
+        for look in ("up", "down"):
+            code, text = run("paper", folder, "-o", WORK / f"lift_{look}", "--focus", "--plan", "--look", look)
+            self.assertEqual(code, 0, text)
+            with open(WORK / f"lift_{look}/focus.csv", encoding="utf-8-sig", newline="") as file:
+                rows[look] = next(csv.DictReader(file))
+        self.assertIn("z 5.8 m", rows["up"]["place"])
+        self.assertIn("z 3.8 m", rows["down"]["place"])
+        self.assertIn("z 3.4 m", rows["up"]["aims at"])
+        self.assertIn("z 1.4 m", rows["down"]["aims at"])
+        self.assertEqual([rows[look]["hits"] for look in ("up", "down")], ["Deck", "Deck"])
+        self.assertEqual(rows["up"]["throw m"], rows["down"]["throw m"])
+        self.assertIn("What movers carry is drawn where the show has it", " ".join(text_of(WORK / "lift_up/plan.pdf").split()))
 
     def test_large_sheets_are_cut_or_refused_with_a_scale_that_fits(self):
         out = WORK / "cut"
