@@ -200,7 +200,8 @@ TEST(Focus, prints_no_angle_and_no_pool_that_nobody_says) {
         EXPECT_EQ(chart.lamps[0].pool_m.empty(), !one.is_said) << one.channels;
         EXPECT_EQ(table_of(chart).rows[0].cells[9].empty(), !one.is_said) << one.channels;
         EXPECT_EQ(says(chart, "Nobody says the angle of Lamp"), !one.is_said) << one.channels;
-        EXPECT_TRUE(must(pdf_of(chart, PaperSize::a4)).starts_with("%PDF-"));
+        Report report;
+        EXPECT_TRUE(must(pdf_of(chart, PaperSize::a4, report)).starts_with("%PDF-"));
     }
 }
 
