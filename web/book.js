@@ -46,17 +46,18 @@ class Book extends HTMLElement {
       const text = await answer.text();
       if (!answer.ok) throw new Error(text.trim());
       const other = await fetchWithToken("/book/difference.json");
-      const difference = other.ok ? await other.json() : null;
+      const words = await other.text();
+      const problem = other.ok ? "" : `What became of the older book cannot be shown: ${words.trim()}`;
+      this.build(JSON.parse(text), other.ok ? JSON.parse(words) : null, problem);
       this.text = text;
-      this.build(JSON.parse(text), difference);
     } catch (problem) {
-      this.about.textContent = problem instanceof TypeError ? "Ghostlight does not answer." : `${/** @type {Error} */ (problem).message}`;
+      this.about.textContent = `${/** @type {Error} */ (problem).message}`;
     }
     this.isReading = false;
   }
 
-  /** @param {any} book @param {any} difference */
-  build(book, difference) {
+  /** @param {any} book @param {any} difference null: there is none @param {string} problem why it is not shown */
+  build(book, difference, problem) {
     ++this.round;
     for (const url of this.urls) URL.revokeObjectURL(url);
     this.urls = [];
@@ -66,6 +67,7 @@ class Book extends HTMLElement {
     const {length} = book.entries;
     this.about.textContent = `${book.show || "The show"}: ${length} ${length === 1 ? "entry" : "entries"} (${book.kind}), drawn by ${book.device}`;
     this.body.replaceChildren(
+        ...(problem ? [make("p", {class: "bad"}, problem)] : []),
         ...(difference ? [this.difference(difference)] : []),
         ...book.entries.map((/** @type {any} */ entry, /** @type {number} */ index) => this.entry(entry, index, !book.for_client))); // a tour names no fixtures
   }

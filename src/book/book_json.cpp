@@ -6,6 +6,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include <stdexcept>
+
 namespace ghost::scene {
 namespace {
 
@@ -52,15 +54,26 @@ Json json_of(const BookEntry& entry) {
             {"unknown", entry.unknown}};
 }
 
-// What follows throws Json::exception where something is missing or has another type.
+// What follows throws Json::exception where something is missing or has another type, NoList for a list.
+struct NoList : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+// Json goes through objects and single values as through lists.
+const Json& list_at(const Json& all, const char* key) {
+    const Json& list = all.at(key);
+    if (!list.is_array()) throw NoList(std::string("'") + key + "' is not a list");
+    return list;
+}
+
 template <class T>
 std::optional<T> optional_from(const Json& value) {
     return value.is_null() ? std::nullopt : std::optional<T>(value.get<T>());
 }
 
-std::vector<std::string> texts_from(const Json& list) {
+std::vector<std::string> texts_at(const Json& all, const char* key) {
     std::vector<std::string> texts;
-    for (const Json& text : list) texts.push_back(text.get<std::string>());
+    for (const Json& text : list_at(all, key)) texts.push_back(text.get<std::string>());
     return texts;
 }
 
@@ -71,7 +84,7 @@ BookFixture fixture_from(const Json& all) {
     fixture.uuid = all.at("uuid").get<std::string>();
     fixture.type = all.at("type").get<std::string>();
     fixture.mode = all.at("mode").get<std::string>();
-    for (const Json& address : all.at("addresses"))
+    for (const Json& address : list_at(all, "addresses"))
         fixture.addresses.push_back({address.at(0).get<int>(), address.at(1).get<int>()});
     for (int k = 0; k < 3; ++k)
         fixture.position_m[k] = all.at("position_m").at(static_cast<std::size_t>(k)).get<float>();
@@ -89,12 +102,12 @@ BookEntry entry_from(const Json& all) {
     entry.goes_on = all.at("goes_on").get<bool>();
     entry.fade_s = optional_from<float>(all.at("fade_s"));
     entry.follow_s = optional_from<float>(all.at("follow_s"));
-    for (const Json& picture : all.at("pictures"))
+    for (const Json& picture : list_at(all, "pictures"))
         entry.pictures.push_back(
             {picture.at("camera").get<std::string>(), picture.at("file").get<std::string>()});
-    for (const Json& change : all.at("changes"))
-        entry.changes.push_back({texts_from(change.at("fixtures")), change.at("what").get<std::string>()});
-    entry.unknown = texts_from(all.at("unknown"));
+    for (const Json& change : list_at(all, "changes"))
+        entry.changes.push_back({texts_at(change, "fixtures"), change.at("what").get<std::string>()});
+    entry.unknown = texts_at(all, "unknown");
     return entry;
 }
 
@@ -106,9 +119,9 @@ Book whole_from(const Json& all) {
     book.height = all.at("size").at(1).get<int>();
     book.ev100 = all.at("ev100").get<float>();
     book.device = all.at("device").get<std::string>();
-    for (const Json& fixture : all.at("fixtures")) book.fixtures.push_back(fixture_from(fixture));
-    for (const Json& entry : all.at("entries")) book.entries.push_back(entry_from(entry));
-    book.unknown = texts_from(all.at("unknown"));
+    for (const Json& fixture : list_at(all, "fixtures")) book.fixtures.push_back(fixture_from(fixture));
+    for (const Json& entry : list_at(all, "entries")) book.entries.push_back(entry_from(entry));
+    book.unknown = texts_at(all, "unknown");
     book.is_for_client = all.value("for_client", false);
     return book;
 }
@@ -145,6 +158,8 @@ Result<Book> book_from(std::string_view text, const std::string& where) {
     try {
         book = whole_from(all);
     } catch (const Json::exception& error) {
+        return Error{std::string("is a damaged cue book: ") + error.what(), where};
+    } catch (const NoList& error) {
         return Error{std::string("is a damaged cue book: ") + error.what(), where};
     }
     if (book.entries.size() > kMostEntries || book.fixtures.size() > kMaxFixtures)
@@ -188,7 +203,10 @@ Result<std::vector<std::string>> files_of_difference(std::string_view text, cons
         return Error{"is no difference between cue books, or of another version", where};
     std::vector<std::string> files;
     try {
-        for (const Json& picture : all.at("pictures"))
+        (void)all.at("old_name").get<std::string>();
+        for (const char* key : {"entries", "fixtures", "unknown"}) (void)texts_at(all, key);
+        for (const Json& picture : list_at(all, "pictures")) {
+            for (const char* key : {"name", "camera"}) (void)picture.at(key).get<std::string>();
             for (const auto& [key, folder] :
                  {std::pair{"file", "pictures/"}, {"old_file", "old/"}, {"map_file", "differences/"}}) {
                 auto file = picture.at(key).get<std::string>();
@@ -198,7 +216,10 @@ Result<std::vector<std::string>> files_of_difference(std::string_view text, cons
                                  where};
                 files.push_back(std::move(file));
             }
+        }
     } catch (const Json::exception& error) {
+        return Error{std::string("is damaged: ") + error.what(), where};
+    } catch (const NoList& error) {
         return Error{std::string("is damaged: ") + error.what(), where};
     }
     return files;

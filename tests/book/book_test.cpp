@@ -173,6 +173,21 @@ TEST(BookFile, every_beginning_is_refused_with_its_name) {
     }
 }
 
+TEST(BookFile, something_else_in_the_place_of_a_list_is_refused) {
+    const std::string text = text_of(small_book());
+    for (const char* list : {"addresses", "pictures", "changes", "unknown", "entries"})
+        for (const char* wrong : {R"("abc")", R"({"length":5})", R"({})", "null"}) {
+            std::string bad = text;
+            const std::string key = std::string("\"") + list + "\": ";
+            const std::size_t at = bad.find(key);
+            ASSERT_NE(at, std::string::npos) << list;
+            bad.insert(at + key.size(), std::string(wrong) + ",\"was_" + list + "\": ");
+            const auto refused = book_from(bad, "x");
+            ASSERT_FALSE(refused.ok()) << bad;
+            EXPECT_NE(refused.error().what.find(list), std::string::npos) << refused.error().what;
+        }
+}
+
 TEST(BookFile, of_another_kind_is_refused) {
     EXPECT_FALSE(book_from("[]", "x").ok());
     EXPECT_FALSE(book_from("{}", "x").ok());

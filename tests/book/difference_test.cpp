@@ -171,6 +171,17 @@ TEST(DifferenceJson, names_its_pictures_and_no_others) {
          {"[]", "{}", R"({"ghostlight_difference":2,"pictures":[]})", R"({"ghostlight_difference":1})",
           R"({"ghostlight_difference":1,"pictures":[{}]})", R"({"ghostlight_difference":1,"pictures":7})"})
         EXPECT_FALSE(files_of_difference(bad, "x").ok()) << bad;
+    for (const char* list : {"entries", "fixtures", "unknown", "pictures"})
+        for (const char* wrong : {R"("abc")", R"({"length":5})", R"({"a":{}})", "null"}) {
+            std::string bad = text;
+            const std::string key = std::string("\"") + list + "\": ";
+            const std::size_t at = bad.find(key);
+            ASSERT_NE(at, std::string::npos) << list;
+            bad.insert(at + key.size(), std::string(wrong) + ",\"was_" + list + "\": ");
+            const auto refused = files_of_difference(bad, "x");
+            ASSERT_FALSE(refused.ok()) << bad;
+            EXPECT_NE(refused.error().what.find(list), std::string::npos) << refused.error().what;
+        }
     for (const char* file : {"/etc/passwd", "old/../../x.png", "pictures/0001-1.png", "old/.png", "old/a.png",
                              "old/0001-1.png/", "old/0001-1.jpg", "old.png"}) {
         difference.pictures[0].old_file = file;
