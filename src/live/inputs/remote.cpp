@@ -51,7 +51,7 @@ Result<void> Remote::recall_camera(const Asked& asked) {
             const auto found = std::find(cameras_.begin(), cameras_.end(), *name);
             index = static_cast<std::size_t>(found - cameras_.begin());
         } else if (const auto number = asked.number(0, 1.0f, static_cast<float>(cameras_.size()));
-                   number.ok()) {
+                   number.ok() && *number == std::floor(*number)) {
             index = static_cast<std::size_t>(*number) - 1;
         }
     }

@@ -56,6 +56,7 @@ TEST(Remote, cameras_by_name_and_number) {
     EXPECT_EQ(remote.request().calls, 2u);
     for (const std::vector<dmx::OscArgument>& wrong : {std::vector<dmx::OscArgument>{},
                                                        {0.0},
+                                                       {1.5},
                                                        {3.0},
                                                        {std::string("nowhere")},
                                                        {1.0, -1.0},
