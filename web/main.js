@@ -10,7 +10,7 @@ import {streamOf} from "./draw.js";
 import {takePicture} from "./picture.js";
 import {hear, keepToken, make, now, takeToken} from "./store.js";
 import {takeSide} from "./stage.js";
-import {begin} from "./wire.js";
+import {begin, NO_ANSWER} from "./wire.js";
 
 const SCREENS = ["picture", "rig", "looks", "stage", "book", "state"];
 const wide = matchMedia("(min-width: 900px)");
@@ -88,11 +88,8 @@ class Pair extends HTMLElement {
       event.preventDefault();
       wrong.textContent = "";
       try {
-        const answer = await fetch("/pair", {
-          method: "POST",
-          headers: {"Content-Type": "application/json"},
-          body: JSON.stringify({code: digits.value}),
-        });
+        const asked = {method: "POST", headers: {"Content-Type": "application/json"}, body: JSON.stringify({code: digits.value})};
+        const answer = await fetch("/pair", asked).catch(() => Promise.reject(new Error(NO_ANSWER)));
         if (!answer.ok)
           throw new Error(
               answer.status === 401 ? "These are not the digits, or they are no longer: they hold for two minutes and five tries." :
@@ -101,7 +98,7 @@ class Pair extends HTMLElement {
         keepToken(token);
         enter(token);
       } catch (problem) {
-        wrong.textContent = problem instanceof TypeError ? "Ghostlight does not answer." : String(/** @type {Error} */ (problem).message);
+        wrong.textContent = /** @type {Error} */ (problem).message;
       }
     });
     this.append(

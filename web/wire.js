@@ -4,6 +4,8 @@
 import {dropToken, now, put, putShow, putSmall} from "./store.js";
 
 const WAITS_S = [0.5, 1, 2, 4];
+const FETCH_WAITS_S = [0.5, 1, 2, 4];
+export const NO_ANSWER = "Ghostlight does not answer.";
 const PING_EVERY_MS = 20000;
 const ANSWER_WITHIN_MS = 10000;
 
@@ -180,9 +182,21 @@ export function doIt(what, args) {
   });
 }
 
-/** @param {string} path */
-export function fetchWithToken(path) {
-  return fetch(path, {headers: {Authorization: `Bearer ${token}`}, cache: "no-store"});
+/**
+ * Tries again while much is asked for. @param {string} path @returns {Promise<Response>} throws an Error with
+ * a sentence where no answer comes
+ */
+export async function fetchWithToken(path) {
+  for (let tries = 0;; ++tries) {
+    const wait = FETCH_WAITS_S[tries];
+    try {
+      const answer = await fetch(path, {headers: {Authorization: `Bearer ${token}`}, cache: "no-store"});
+      if (answer.status !== 503 || wait === undefined) return answer;
+    } catch {
+      if (wait === undefined) throw new Error(NO_ANSWER);
+    }
+    await new Promise((go) => setTimeout(go, 1000 * wait * (0.5 + Math.random())));
+  }
 }
 
 /**

@@ -6,6 +6,7 @@ Usage: web_test.py SOURCE_FOLDER BUILD_FOLDER [FOLDER_FOR_PICTURES]."""
 import base64
 import http.server
 import io
+import json
 import pathlib
 import re
 import subprocess
@@ -259,7 +260,27 @@ class Web(unittest.TestCase):
         for path in ("book/book.json", "book/pictures/0001-1.png"):
             self.assertEqual(page.value(f"fetch('/{path}').then(answer => answer.status)"), 401)
         self.assertEqual(page.value("document.querySelectorAll('ghost-book b').length"), 0)
+        difference = self.show.book / "difference.json"
+        good = difference.read_text(encoding="utf-8")
+        try:
+            difference.write_text(json.dumps({**json.loads(good), "entries": "abc"}), encoding="utf-8")
+            page.value("document.querySelector('ghost-book .tools button').click()")
+            page.until("document.querySelector('ghost-book .bad')")
+            self.assertIn("'entries' is not a list", page.value("document.querySelector('ghost-book .bad').textContent"))
+            self.assertEqual(page.value("document.querySelectorAll('ghost-book article').length"), 2, "the book itself is well")
+        finally:
+            difference.write_text(good, encoding="utf-8")
         page.call("Page.close")
+
+    def test_a_page_of_which_a_file_did_not_come_opens_itself_again(self):
+        for missing in ("book.js", "main.js", "style.css"):
+            page = self.browser.page()
+            page.call("Network.setBlockedURLs", urls=[f"*/a/{missing}"])
+            page.go(self.serve.address)
+            page.until("performance.getEntriesByType('navigation')[0].type === 'reload'")
+            page.call("Network.setBlockedURLs", urls=[])
+            page.until("document.querySelector('.line').textContent === 'live' && getComputedStyle(document.querySelector('.skip')).position === 'absolute'")
+            page.call("Page.close")
 
     def test_six_digits_let_in_and_wrong_ones_do_not(self):
         serve = self.show.serve("--no-desk")  # the digits hold for two minutes
