@@ -76,6 +76,12 @@ bool is_own_host(std::string_view host, const OwnNames& own) {
     return has_port && std::find(own.names.begin(), own.names.end(), parts.name) != own.names.end();
 }
 
+bool is_trusted_host(std::string_view host, const OwnNames& own) {
+    const std::string name = parts_of(host).name;
+    return name == "localhost" || name == "127.0.0.1" || name == "[::1]" ||
+           (!own.proxied.empty() && name == own.proxied);
+}
+
 bool is_own_origin(std::string_view origin, std::string_view host, const OwnNames& own) {
     const std::string small = lower(origin), own_host = lower(host);
     if (small == "http://" + own_host) return true;

@@ -47,6 +47,8 @@ OwnNames own_names(std::uint16_t port, const std::string& proxied);
 
 // host: of a Host field. With our port, or without one where it is 80.
 bool is_own_host(std::string_view host, const OwnNames& own);
+// Whether browsers trust what comes from there though it is plain HTTP to us: this machine, or TLS before us.
+bool is_trusted_host(std::string_view host, const OwnNames& own);
 // origin: of an Origin field; the page that it names came from that host.
 bool is_own_origin(std::string_view origin, std::string_view host, const OwnNames& own);
 

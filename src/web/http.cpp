@@ -145,26 +145,29 @@ int body_status(const Head& head, std::size_t& bytes) {
 }
 
 std::string answer_text(const Answer& answer) {
+    const std::string_view body = answer.text.empty() ? answer.body : std::string_view(answer.text);
+    return answer_head(answer, body.size()).append(body);
+}
+
+std::string answer_head(const Answer& answer, std::size_t body_bytes) {
     std::string text = "HTTP/1.1 " + std::to_string(answer.status) + " " + reason(answer.status) + "\r\n";
     for (const auto& [name, value] : answer.fields) text += name + ": " + value + "\r\n";
     if (answer.status == 101) return text + "\r\n";
-    const std::string_view body = answer.text.empty() ? answer.body : std::string_view(answer.text);
     if (!answer.type.empty()) text += "Content-Type: " + answer.type + "\r\n";
-    text += "Content-Length: " + std::to_string(body.size()) +
+    text += "Content-Length: " + std::to_string(body_bytes) +
             "\r\n"
             "Connection: close\r\n"
             "Cache-Control: no-store\r\n"
             "Content-Security-Policy: default-src 'none'; script-src 'self'; style-src 'self'; img-src "
             "'self' blob:; "
             "connect-src 'self'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'\r\n"
-            "Cross-Origin-Opener-Policy: same-origin\r\n"
             "Cross-Origin-Resource-Policy: same-origin\r\n"
             "Permissions-Policy: camera=(), microphone=(), geolocation=()\r\n"
             "Referrer-Policy: no-referrer\r\n"
             "X-Content-Type-Options: nosniff\r\n"
             "X-Frame-Options: DENY\r\n"
             "\r\n";
-    return text.append(body);
+    return text;
 }
 
 } // namespace ghost::web

@@ -44,5 +44,7 @@ struct Answer {
 };
 // All bytes of an answer after which the connection ends, or goes on as a WebSocket (101).
 std::string answer_text(const Answer& answer);
+// Those before a body of that length, which follows by itself.
+std::string answer_head(const Answer& answer, std::size_t body_bytes);
 
 } // namespace ghost::web

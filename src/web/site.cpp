@@ -28,6 +28,13 @@ Answer file(std::string_view name) {
     return refusal(404);
 }
 
+// Where browsers do not trust the origin, they refuse the field, and complain with the address and its token.
+Answer page(bool is_trusted) {
+    Answer answer = file("index.html");
+    if (is_trusted) answer.fields = {{"Cross-Origin-Opener-Policy", "same-origin"}};
+    return answer;
+}
+
 // One of the words of a list with commas.
 bool names(std::string_view list, std::string_view word) {
     const std::vector<std::string_view> words = split(list, ',');
@@ -166,7 +173,7 @@ Routed route(const Head& head, std::string_view body, Access& access, double now
     if (is_pair) return {pair(head, body, access, now_s)};
     if (head.target.starts_with("/book/")) return book(head, access);
     if (head.target == "/right") return {right(head, access)};
-    if (head.target == "/") return {file("index.html")};
+    if (head.target == "/") return {page(is_trusted_host(host, access.own))};
     if (head.target.starts_with(kFiles)) return {file(std::string_view(head.target).substr(kFiles.size()))};
     return {refusal(404)};
 }

@@ -167,6 +167,21 @@ TEST_F(Site, control_has_a_token_of_its_own_while_it_is_allowed) {
     EXPECT_EQ(live().answer.status, 401);
 }
 
+TEST_F(Site, where_browsers_trust_the_origin_the_page_stands_alone_and_nowhere_else) {
+    const auto isolates = [&](const std::string& called) {
+        host = called;
+        const Routed routed = ask("GET", "/");
+        EXPECT_EQ(routed.answer.status, 200) << called;
+        return answer_text(routed.answer).find("Cross-Origin-Opener-Policy: same-origin\r\n") !=
+               std::string::npos;
+    };
+    access.own = {
+        {"localhost", "127.0.0.1", "[::1]", "192.168.1.20", "desk.local"}, 8010, "lights.example.org"};
+    for (const char* trusted : {"localhost:8010", "127.0.0.1:8010", "[::1]:8010", "lights.example.org"})
+        EXPECT_TRUE(isolates(trusted)) << trusted;
+    for (const char* plain : {"192.168.1.20:8010", "desk.local:8010"}) EXPECT_FALSE(isolates(plain)) << plain;
+}
+
 TEST_F(Site, the_book_is_for_those_with_a_token) {
     const auto book = [&](const std::string& target, const std::string& token = kToken) {
         return ask("GET", target, "Authorization: Bearer " + token + "\r\n");
