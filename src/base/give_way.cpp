@@ -6,8 +6,8 @@
 
 namespace ghost {
 
-void give_way() {
-    (void)setpriority(PRIO_PROCESS, 0, 19); // 0: of Linux the calling thread
+void give_way(int nice) {
+    (void)setpriority(PRIO_PROCESS, 0, nice); // 0: of Linux the calling thread
 }
 
 void go_first() {

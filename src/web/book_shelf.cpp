@@ -25,7 +25,10 @@ void BookShelf::renew(Text& text, const std::string& name, const std::string& mi
     const std::filesystem::path file = folder_ / name;
     std::error_code no_time, no_size, no_status;
     if (std::filesystem::is_symlink(file, no_status)) { // a book may come from strangers
-        text = {{}, Error{"the cue book has a link in the place of " + name + ", which is not followed", ""}};
+        text = {{},
+                Error{"the cue book has a link in the place of " + name + ", which is not followed", ""},
+                {},
+                true};
         return;
     }
     const Stamp stamp{std::filesystem::last_write_time(file, no_time),
@@ -35,9 +38,13 @@ void BookShelf::renew(Text& text, const std::string& name, const std::string& mi
         return;
     }
     if (text.stamp == stamp) return;
-    text = {stamp, read_text_file(file, kMostShelfBytes)};
-    if (text.text.ok()) {
-        Result<std::vector<std::string>> pictures = pictures_of(*text.text, name);
+    Result<std::string> read = read_text_file(file, kMostShelfBytes);
+    text = {stamp, Error{}, {}, true};
+    if (!read.ok()) {
+        text.text = read.error();
+    } else {
+        text.text = std::make_shared<const std::string>(std::move(*read));
+        Result<std::vector<std::string>> pictures = pictures_of(**text.text, name);
         if (pictures.ok())
             text.pictures.insert(pictures->begin(), pictures->end());
         else
@@ -54,6 +61,8 @@ Result<BookShelf::File> BookShelf::file(std::string_view name) {
     if (!book_.text.ok()) return book_.text.error();
     if (name == "book.json") return File{"application/json", *book_.text};
     if (name == "difference.json") {
+        if (!difference_.is_there)
+            return File{"application/json", std::make_shared<const std::string>("null")};
         if (!difference_.text.ok()) return difference_.text.error();
         return File{"application/json", *difference_.text};
     }
@@ -66,7 +75,7 @@ Result<BookShelf::File> BookShelf::file(std::string_view name) {
         if (std::filesystem::is_symlink(part, code))
             return Error{"the cue book has a link in the place of a picture, which is not followed", ""};
     TRY(std::string bytes, read_text_file(path, kMostBookPictureBytes));
-    return File{"image/png", std::move(bytes)};
+    return File{"image/png", std::make_shared<const std::string>(std::move(bytes))};
 }
 
 } // namespace ghost::web

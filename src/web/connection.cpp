@@ -12,21 +12,32 @@ bool Connection::read(double now_s) {
     return true;
 }
 
+void Connection::put(Piece piece) {
+    if (is_ending() || piece.bytes.empty()) return;
+    unsent_ += piece.bytes.size();
+    out_.push_back(std::move(piece));
+}
+
 void Connection::put(Packed bytes) {
-    if (is_ending() || bytes->empty()) return;
-    unsent_ += bytes->size();
-    out_.push_back(std::move(bytes));
+    const Bytes all = *bytes;
+    put(Piece{std::move(bytes), all});
+}
+
+void Connection::put(SharedText text) {
+    const Bytes all(reinterpret_cast<const std::uint8_t*>(text->data()), text->size());
+    put(Piece{std::move(text), all});
 }
 
 void Connection::put(std::string_view text) {
     put(std::vector<std::uint8_t>(text.begin(), text.end()));
 }
 
-bool Connection::send() {
+bool Connection::send(double now_s) {
     while (!out_.empty()) {
-        const Bytes rest = Bytes(*out_.front()).subspan(sent_of_first_);
+        const Bytes rest = out_.front().bytes.subspan(sent_of_first_);
         const std::optional<std::size_t> sent = stream_->send(rest);
         if (!sent) return false;
+        if (*sent > 0) moved_s_ = now_s;
         unsent_ -= *sent;
         sent_of_first_ += *sent;
         if (*sent < rest.size()) return true;

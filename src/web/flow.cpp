@@ -44,10 +44,10 @@ void Flow::sent(std::uint32_t number, double now_s) {
     sent_s_ = now_s;
 }
 
-void Flow::painted(std::uint32_t number, double now_s) {
+bool Flow::painted(std::uint32_t number, double now_s) {
     const auto done = std::find_if(on_the_way_.begin(), on_the_way_.end(),
                                    [&](const OnTheWay& picture) { return picture.number == number; });
-    if (done == on_the_way_.end()) return;
+    if (done == on_the_way_.end()) return false;
     const double took_s = now_s - done->sent_s;
     ack_ms_ = 1e3 * took_s;
     on_the_way_.erase(on_the_way_.begin(), std::next(done));
@@ -63,10 +63,11 @@ void Flow::painted(std::uint32_t number, double now_s) {
         --step_;
         fast_s_ = now_s;
     }
+    return true;
 }
 
 bool Ration::has_some(double now_s) {
-    left_ = std::min(left_ + bytes_per_s_ * std::max(now_s - filled_s_, 0.0), bytes_per_s_ * kBurst_s);
+    left_ = std::min(left_ + per_s_ * std::max(now_s - filled_s_, 0.0), most_);
     filled_s_ = now_s;
     return left_ > 0;
 }

@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Flow: what one viewer gets of the pictures: the newest whenever few enough are on the way to him; what came
 // meanwhile is skipped and never waits in line, so a slow viewer sees fewer and smaller pictures, and none
-// that are old: a second one follows only while the first is not slower than the one before. Ration: the
-// bytes that all viewers get together. Pure: times come in, in seconds of one clock.
+// that are old: a second one follows only while the first is not slower than the one before. Ration: what
+// there may be of something in a time, as the bytes that all viewers get together. Pure: times come in, in
+// seconds of one clock.
 
 #include <cstdint>
 #include <deque>
@@ -23,8 +24,8 @@ public:
     void sent(std::uint32_t number, double now_s);
     // The newest one comes once more.
     void send_again() { newest_ = 0; }
-    // What was sent before that picture is done, too. One that was not sent changes nothing.
-    void painted(std::uint32_t number, double now_s);
+    // What was sent before that picture is done, too. False: it was not on the way, which changes nothing.
+    bool painted(std::uint32_t number, double now_s);
 
     int width() const;                               // that the next picture has at most
     std::uint32_t newest() const { return newest_; } // sent; 0: none
@@ -48,14 +49,15 @@ private:
 
 class Ration {
 public:
-    explicit Ration(double bytes_per_s) : bytes_per_s_(bytes_per_s), left_(bytes_per_s * kBurst_s) {}
+    // burst_s: the rate of so long may be spent at once after a pause.
+    explicit Ration(double per_s, double burst_s = 0.1)
+        : per_s_(per_s), most_(per_s * burst_s), left_(most_) {}
 
     bool has_some(double now_s);
-    void spend(double bytes) { left_ -= bytes; } // may go below zero: then there is a pause
+    void spend(double amount) { left_ -= amount; } // may go below zero: then there is a pause
 
 private:
-    static constexpr double kBurst_s = 0.1;
-    double bytes_per_s_;
+    double per_s_, most_;
     double left_;
     double filled_s_ = 0;
 };

@@ -3,6 +3,7 @@
 
 #include "base/log.h"
 #include "image/jpeg.h"
+#include "net/socket.h"
 
 #include <algorithm>
 #include <chrono>
@@ -13,6 +14,25 @@ namespace {
 
 constexpr image::JpegQuality kMoving{75, false};
 constexpr image::JpegQuality kAtRest{92, true}; // saturated beams smear where colour has fewer pixels
+
+// Any thread.
+Encoded encode(const image::Image8& whole, int width, PictureHead head) {
+    const auto begin = dmx::thread_cpu_time();
+    const bool narrows = width < whole.width;
+    const image::Image8 small = narrows ? image::narrowed(whole, width) : image::Image8();
+    const image::Image8& sent = narrows ? small : whole;
+    const auto jpeg = image::encode_jpeg(sent, head.at_rest ? kAtRest : kMoving);
+    Encoded encoded{.number = head.number, .width = width, .bytes = nullptr, .problem = {}, .cpu_s = 0};
+    head.width = sent.width;
+    head.height = sent.height;
+    if (jpeg.ok())
+        encoded.bytes = std::make_shared<const std::vector<std::uint8_t>>(
+            build_frame(Opcode::binary, picture_message(head, *jpeg)));
+    else
+        encoded.problem = jpeg.error().text();
+    encoded.cpu_s = std::chrono::duration<double>(dmx::thread_cpu_time() - begin).count();
+    return encoded;
+}
 
 } // namespace
 
@@ -25,6 +45,7 @@ void PicturePacker::put(ui::Picture picture, double drawn_ms, bool is_still) {
 }
 
 void PicturePacker::go_on(double now_s) {
+    if (encoding_ > 0) return;
     if (spent_s_ > 0) may_go_s_ = now_s + 3 * std::exchange(spent_s_, 0.0);
     if (now_s < may_go_s_) return;
     if (next_) {
@@ -49,19 +70,9 @@ void PicturePacker::begin(bool at_rest, double now_s) {
 
 Packed PicturePacker::packed(int width) {
     if (!shown_) return nullptr;
-    const image::Image8& whole = *shown_->image;
-    const auto [place, is_new] = packed_.try_emplace(std::min(width, whole.width));
+    const auto [place, is_new] = packed_.try_emplace(std::min(width, shown_->image->width));
     if (!is_new) return place->second;
-    const auto begin = std::chrono::steady_clock::now();
-    const bool narrows = place->first < whole.width;
-    const image::Image8 small = narrows ? image::narrowed(whole, place->first) : image::Image8();
-    const image::Image8& sent = narrows ? small : whole;
-    const auto jpeg = image::encode_jpeg(sent, at_rest_ ? kAtRest : kMoving);
-    spent_s_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-    if (!jpeg.ok()) {
-        log_warning("browsers: " + jpeg.error().text());
-        return nullptr;
-    }
+    ++encoding_;
     const double arrival_ms = std::chrono::duration<double, std::milli>(shown_->arrival).count();
     const PictureHead head{.stream = stream_,
                            .number = number_,
@@ -69,15 +80,23 @@ Packed PicturePacker::packed(int width) {
                            .desk_ms = arrival_ms > 0 ? static_cast<float>(shown_ms_ - arrival_ms)
                                                      : std::numeric_limits<float>::quiet_NaN(),
                            .ev100 = shown_->ev100,
-                           .width = sent.width,
-                           .height = sent.height,
                            .coarse = shown_->is_coarse,
                            .baked = shown_->is_baked,
                            .at_rest = at_rest_,
                            .false_colours = shown_->false_colour.measure != ui::Measure::none,
                            .still = is_still_};
-    return place->second = std::make_shared<const std::vector<std::uint8_t>>(
-               build_frame(Opcode::binary, picture_message(head, *jpeg)));
+    worker_.put([whole = shown_->image, width = place->first, head, taker = taker_]() -> Worker::Done {
+        return [encoded = encode(*whole, width, head), taker] { taker(encoded); };
+    });
+    return nullptr;
+}
+
+void PicturePacker::take(const Encoded& encoded) {
+    if (encoded.number != number_) return;
+    --encoding_;
+    spent_s_ += encoded.cpu_s;
+    packed_[encoded.width] = encoded.bytes;
+    if (!encoded.bytes) log_warning("browsers: " + encoded.problem);
 }
 
 } // namespace ghost::web

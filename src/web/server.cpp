@@ -18,7 +18,7 @@ Result<std::unique_ptr<Server>> Server::open(ui::Link& link, const ServerOptions
 }
 
 Server::Server(ui::Link& link, const ServerOptions& options, std::unique_ptr<dmx::TcpListener> listener,
-               std::unique_ptr<dmx::StreamWake> wake)
+               std::shared_ptr<dmx::StreamWake> wake)
     : link_(link), options_(options), listener_(std::move(listener)), wake_(std::move(wake)) {
     gate_.access.own = own_names(listener_->port(), options.host);
     gate_.access.token = make_token();
@@ -98,9 +98,9 @@ void Server::send_all_away() {
 }
 
 void Server::run() {
-    give_way();
+    give_way(kGiveWayABit);
     try {
-        ServerLoop loop(link_, *listener_, *wake_, gate_, options_);
+        ServerLoop loop(link_, *listener_, wake_, gate_, options_, stop_);
         while (!stop_) loop.round();
     } catch (const std::exception& problem) { // no memory, as a rule
         log_error(std::string("browsers see nothing any more: ") + problem.what());

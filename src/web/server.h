@@ -1,9 +1,10 @@
 #pragma once
 // SPDX-License-Identifier: Apache-2.0
 // Server: the page and, by WebSocket, pictures and news of the engine for browsers: plain HTTP on one TCP
-// port, one thread of its own that gives way to all others. It reads what the engine says as the second
-// reader of the link and asks it why fixtures are dark; it changes nothing unless control is allowed. Nobody
-// waits for a browser. All functions but the destructor: any thread.
+// port, a thread of its own that gives way a bit, as others wait for its end, and two that give way to all:
+// one encodes pictures, one reads the cue book. It reads what the engine says as the second reader of the
+// link and asks it why fixtures are dark; it changes nothing unless control is allowed. Nobody waits for a
+// browser. All functions but the destructor: any thread.
 
 #include "base/result.h"
 #include "link/link.h"
@@ -22,7 +23,7 @@
 namespace ghost::web {
 
 inline constexpr std::size_t kMostViewers = 20;
-inline constexpr std::size_t kMostOthers = 8; // connections beside those of viewers
+inline constexpr std::size_t kMostOthers = 64; // connections beside those of viewers
 
 struct ServerOptions {
     std::uint32_t address = 0x7F000001; // this machine alone; 0: whoever reaches us
@@ -51,7 +52,7 @@ struct Gate {
     std::uint64_t keys = 1;      // grows with each token
     std::uint64_t sent_away = 0; // times
     std::vector<Looker> lookers;
-    double cpu_s = 0; // that the server's thread has used
+    double cpu_s = 0; // that the server's threads have used
 };
 
 class Server {
@@ -68,7 +69,7 @@ public:
     const ServerOptions& options() const { return options_; }
     Keys keys() const;
     std::vector<Looker> lookers() const;
-    double cpu_s() const; // of its thread since it began, half a second late at most
+    double cpu_s() const; // of its threads since it began, half a second late at most
 
     // Each time with a token of its own; who has one before loses the right.
     void allow_control(bool allowed);
@@ -81,14 +82,14 @@ public:
 
 private:
     Server(ui::Link& link, const ServerOptions& options, std::unique_ptr<dmx::TcpListener> listener,
-           std::unique_ptr<dmx::StreamWake> wake);
+           std::shared_ptr<dmx::StreamWake> wake);
     void run();
     void set_news(bool wanted);
 
     ui::Link& link_;
     const ServerOptions options_;
     std::unique_ptr<dmx::TcpListener> listener_;
-    std::unique_ptr<dmx::StreamWake> wake_;
+    std::shared_ptr<dmx::StreamWake> wake_; // threads that nobody waits for raise it, too
     Gate gate_;
     std::atomic<bool> stop_{false};
     std::thread thread_; // the last member: it uses all others

@@ -2,20 +2,21 @@
 // Who comes in, what they say, and how they leave; what they get: server_offers.cpp.
 #include "web/private/server_loop.h"
 
-#include "base/check.h"
 #include "base/log.h"
 #include "net/socket.h"
 #include "show/show.h"
 #include "web/server.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace ghost::web {
 namespace {
 
 using namespace std::chrono_literals;
 
-constexpr double kHead_s = 5; // for a whole request
+constexpr double kHead_s = 5;       // for a whole request
+constexpr double kKeepsPlace_s = 1; // however many come
 constexpr double kBytesPerMbit = 1e6 / 8;
 constexpr double kAskIfThereEvery_s = 30;
 constexpr int kMostAtOnce = 32; // who come in a round: viewers do not wait for a flood
@@ -23,6 +24,12 @@ constexpr auto kWatchedRound = 25ms, kIdleRound = 500ms;
 
 std::string_view text_of(const std::vector<std::uint8_t>& bytes, std::size_t from = 0) {
     return std::string_view(reinterpret_cast<const char*>(bytes.data()), bytes.size()).substr(from);
+}
+
+// As one household or hall has it: /24 of IPv4, /64 of IPv6. Who has one address there may have others.
+bool is_same_network(const dmx::IpAddress& a, const dmx::IpAddress& b) {
+    const std::ptrdiff_t bytes = a.is_ipv4() ? 15 : 8;
+    return std::equal(a.bytes.begin(), a.bytes.begin() + bytes, b.bytes.begin());
 }
 
 // Fit for a frame that closes.
@@ -35,9 +42,10 @@ std::string short_reason(std::string text) {
 
 } // namespace
 
-ServerLoop::ServerLoop(ui::Link& link, dmx::TcpListener& listener, dmx::StreamWake& wake, Gate& gate,
-                       const ServerOptions& options)
-    : link_(link), listener_(listener), wake_(wake), gate_(gate), book_(options.book),
+ServerLoop::ServerLoop(ui::Link& link, dmx::TcpListener& listener, std::shared_ptr<dmx::StreamWake> wake,
+                       Gate& gate, const ServerOptions& options, const std::atomic<bool>& stop)
+    : link_(link), listener_(listener), wake_(std::move(wake)), gate_(gate), stop_(stop), host_(options.host),
+      book_(std::make_shared<BookShelf>(options.book)), encoder_(wake_), reader_(wake_),
       silence_s_(options.silence_s), ration_(options.mbit * kBytesPerMbit) {}
 
 void ServerLoop::round() {
@@ -45,15 +53,19 @@ void ServerLoop::round() {
     accept();
     look_at_gate();
     read_news();
-    for (auto guest = guests_.begin(); guest != guests_.end();) {
-        if (serve(*guest)) {
-            ++guest;
-            continue;
+    std::list<Guest> served; // come last the next time: the ration may have an end before theirs comes
+    for (auto guest = guests_.begin(); guest != guests_.end() && !stop_;) {
+        const auto next = std::next(guest);
+        if (!serve(*guest)) {
+            if (guest->viewer) tell_of(*guest, " has left");
+            guests_.erase(guest);
+        } else if (guest->viewer && std::exchange(guest->viewer->is_served, false)) {
+            served.splice(served.end(), guests_, guest);
         }
-        if (guest->viewer)
-            log_info("browsers: " + dmx::address_text(guest->connection.stream().peer()) + " has left");
-        guest = guests_.erase(guest);
+        guest = next;
     }
+    guests_.splice(guests_.end(), served);
+    read_book();
     viewers_ = static_cast<std::size_t>(std::count_if(
         guests_.begin(), guests_.end(), [](const Guest& guest) { return guest.viewer != nullptr; }));
     if (viewers_ == 0) {
@@ -69,8 +81,10 @@ void ServerLoop::round() {
 }
 
 void ServerLoop::look_at_gate() {
+    const double cpu_s =
+        std::chrono::duration<double>(dmx::thread_cpu_time()).count() + encoder_.cpu_s() + reader_.cpu_s();
     const std::lock_guard lock(gate_.mutex);
-    gate_.cpu_s = std::chrono::duration<double>(dmx::thread_cpu_time()).count();
+    gate_.cpu_s = cpu_s;
     if (gate_.sent_away != sent_away_) {
         sent_away_ = gate_.sent_away;
         for (Guest& guest : guests_) {
@@ -90,38 +104,52 @@ void ServerLoop::look_at_gate() {
 }
 
 void ServerLoop::wait() {
-    std::vector<dmx::WaitFor> streams{{listener_.handle()}, {wake_.handle()}};
+    std::vector<dmx::WaitFor> streams{{wake_->handle()}};
+    if (!is_full()) streams.push_back({listener_.handle()});
     for (const Guest& guest : guests_)
         streams.push_back({guest.connection.stream().handle(), guest.connection.unsent() > 0});
-    dmx::wait_for_streams(streams, viewers_ > 0 ? kWatchedRound : kIdleRound);
-    wake_.clear();
+    dmx::wait_for_streams(streams, viewers_ > 0 || is_full() ? kWatchedRound : kIdleRound);
+    wake_->clear();
 }
 
 void ServerLoop::accept() {
     for (int k = 0; k < kMostAtOnce; ++k) {
+        const bool full = is_full();
+        const auto leaves = full ? who_leaves() : guests_.end();
+        if (full && leaves == guests_.end()) return; // the system keeps who comes meanwhile
         std::unique_ptr<dmx::TcpStream> stream = listener_.accept();
         if (!stream) return;
-        if (guests_.size() == kMostViewers + kMostOthers) make_room();
-        guests_.push_back({Connection(std::move(stream), now_s()), nullptr});
+        if (full) {
+            leaves->connection.put(answer_text(refusal(503)));
+            (void)leaves->connection.send(now_s());
+            guests_.erase(leaves);
+        }
+        guests_.push_back({Connection(std::move(stream), now_s())});
     }
 }
 
-// So that nobody keeps all others out by connections that say nothing: of those who are no viewers, the
-// oldest from the address that has most of them is refused.
-void ServerLoop::make_room() {
+// So that who holds places and says nothing does not keep all others out: of those who are no viewers, had
+// their second and are not being answered, the oldest from the network that has most of all is refused.
+std::list<ServerLoop::Guest>::iterator ServerLoop::who_leaves() {
     const auto count_of = [&](const Guest& guest) {
         return std::count_if(guests_.begin(), guests_.end(), [&](const Guest& other) {
-            return !other.viewer && other.connection.stream().peer() == guest.connection.stream().peer();
+            return !other.viewer &&
+                   is_same_network(other.connection.stream().peer(), guest.connection.stream().peer());
         });
     };
+    const double now = now_s();
     auto leaves = guests_.end();
-    for (auto guest = guests_.begin(); guest != guests_.end(); ++guest)
-        if (!guest->viewer && (leaves == guests_.end() || count_of(*guest) > count_of(*leaves)))
-            leaves = guest;
-    CHECK(leaves != guests_.end()); // viewers are fewer than guests
-    leaves->connection.put(answer_text(refusal(503)));
-    (void)leaves->connection.send();
-    guests_.erase(leaves);
+    std::ptrdiff_t most = 0;
+    for (auto guest = guests_.begin(); guest != guests_.end(); ++guest) {
+        if (guest->viewer || guest->book || guest->connection.is_in_answer(now) ||
+            now - guest->connection.since_s() < kKeepsPlace_s)
+            continue;
+        const std::ptrdiff_t count = count_of(*guest);
+        if (count <= most) continue;
+        most = count;
+        leaves = guest;
+    }
+    return leaves;
 }
 
 bool ServerLoop::serve(Guest& guest) {
@@ -129,13 +157,13 @@ bool ServerLoop::serve(Guest& guest) {
     if (!guest.connection.is_ending()) {
         if (guest.viewer)
             read_frames(guest);
-        else
+        else if (!guest.book)
             read_request(guest);
         end_what_is_late(guest);
         if (guest.viewer) go_to_watch(guest);
         if (guest.viewer) offer(guest);
     }
-    return guest.connection.send() && !guest.connection.is_over(now_s());
+    return guest.connection.send(now_s()) && !guest.connection.is_over(now_s());
 }
 
 void ServerLoop::read_request(Guest& guest) {
@@ -149,33 +177,37 @@ void ServerLoop::read_request(Guest& guest) {
         return answer(guest, refusal(status));
     if (connection.unread().size() < parsed.bytes + body_bytes) return;
     const std::string_view body = text_of(connection.unread(), parsed.bytes).substr(0, body_bytes);
-    std::uint64_t keys = 0; // that the right is of
+    std::uint64_t keys = 0;                            // that the right is of
+    OwnNames own = own_names(listener_.port(), host_); // cables come and go
     const Routed routed = [&] {
         const std::lock_guard lock(gate_.mutex);
         keys = gate_.keys;
-        Access& access = gate_.access;
-        access.own = own_names(access.own.port, access.own.proxied); // cables come and go
-        return route(parsed.head, body, access, now_s());
+        gate_.access.own = std::move(own);
+        return route(parsed.head, body, gate_.access, now_s());
     }();
-    if (routed.book) return answer_book(guest, *routed.book);
+    if (routed.book) {
+        guest.book = routed.book;
+        return;
+    }
     if (!routed.is_live) return answer(guest, routed.answer);
     connection.take(parsed.bytes + body_bytes);
     begin_live(guest, routed, keys);
 }
 
-void ServerLoop::answer_book(Guest& guest, const std::string& name) {
-    Result<BookShelf::File> file = book_.file(name);
-    if (file.ok())
-        return answer(guest, {.type = file->type, .body = {}, .text = std::move(file->bytes), .fields = {}});
-    Answer missing = refusal(404);
-    missing.text = file.error().what + "\n"; // no path of this machine
-    missing.body = {};
-    answer(guest, missing);
-}
-
 void ServerLoop::answer(Guest& guest, const Answer& answer) {
     guest.connection.put(answer_text(answer));
     guest.connection.end(now_s());
+}
+
+void ServerLoop::tell_of(const Guest& guest, const std::string& what) {
+    if (!lines_.has_some(now_s())) {
+        ++untold_;
+        return;
+    }
+    lines_.spend(1);
+    const std::string more = untold_ > 0 ? " (" + std::to_string(untold_) + " times more was left out)" : "";
+    untold_ = 0;
+    log_info("browsers: " + dmx::address_text(guest.connection.stream().peer()) + what + more);
 }
 
 void ServerLoop::begin_live(Guest& guest, const Routed& routed, std::uint64_t keys) {
@@ -188,9 +220,7 @@ void ServerLoop::begin_live(Guest& guest, const Routed& routed, std::uint64_t ke
     guest.viewer->right = routed.right;
     guest.viewer->keys = keys;
     guest.viewer->asked_if_there_s = now_s();
-    const bool controls = routed.right == Right::control;
-    log_info("browsers: " + dmx::address_text(guest.connection.stream().peer()) +
-             (controls ? " looks on and may control" : " looks on"));
+    tell_of(guest, routed.right == Right::control ? " looks on and may control" : " looks on");
     read_frames(guest);
 }
 
@@ -223,8 +253,7 @@ void ServerLoop::read_frames(Guest& guest) {
 void ServerLoop::hear(Guest& guest, const ToServer& message) {
     Viewer& viewer = *guest.viewer;
     if (const auto* painted = std::get_if<Painted>(&message)) {
-        viewer.flow.painted(painted->number, now_s());
-        viewer.count_painted(now_s());
+        viewer.hear_painted(painted->number, now_s());
     } else if (const auto* wanted = std::get_if<Watch>(&message)) {
         watch(guest, *wanted);
     } else if (const auto* what = std::get_if<Do>(&message)) {
@@ -284,7 +313,7 @@ void ServerLoop::end_what_is_late(Guest& guest) {
     if (guest.connection.is_ending()) return;
     const double now = now_s();
     if (!guest.viewer) {
-        if (now - guest.connection.since_s() > kHead_s) answer(guest, refusal(408));
+        if (!guest.book && now - guest.connection.since_s() > kHead_s) answer(guest, refusal(408));
         return;
     }
     if (now - guest.connection.heard_s() > silence_s_)

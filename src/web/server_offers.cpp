@@ -8,6 +8,7 @@
 #include "show/show.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace ghost::web {
 namespace {
@@ -60,6 +61,8 @@ void ServerLoop::read_news() {
     if (auto news = link_.side_pictures.take())
         for (const ui::SidePicture& picture : *news) take_side(picture);
     answer_commands();
+    encoder_.finish();
+    reader_.finish();
     if (auto news = link_.answer.take()) {
         const Packed explained = packed_text(explained_text(*news));
         for (Guest& guest : guests_) {
@@ -88,7 +91,7 @@ void ServerLoop::take_small(SmallKind kind, const std::vector<ui::NamedPicture>&
             if (known->image == picture.image) continue;
             small_.erase(known);
         }
-        small_.push_back({kind, picture.name, picture.image, ++small_version_, nullptr});
+        small_.push_back({kind, picture.name, picture.image, ++small_version_});
     }
 }
 
@@ -120,15 +123,15 @@ void ServerLoop::take_opened(ui::Opened opened) {
 void ServerLoop::ask() {
     const double now = now_s();
     if (now - asked_s_ < (asking_ ? kAnswerWithin_s : kExplainEvery_s)) return;
-    // Who was asked for last comes last the next time.
-    for (auto guest = guests_.begin(); guest != guests_.end(); ++guest) {
-        if (!guest->viewer || !guest->viewer->asks) continue;
-        asking_ = guest->viewer->asks;
-        asked_s_ = now;
-        link_.question.put(*asking_);
-        guests_.splice(guests_.end(), guests_, guest);
-        return;
-    }
+    Viewer* next = nullptr; // who was asked for last comes last the next time
+    for (const Guest& guest : guests_)
+        if (guest.viewer && guest.viewer->asks &&
+            (!next || guest.viewer->asked_engine_s < next->asked_engine_s))
+            next = guest.viewer.get();
+    if (!next) return;
+    asking_ = next->asks;
+    asked_s_ = next->asked_engine_s = now;
+    link_.question.put(*asking_);
 }
 
 void ServerLoop::offer(Guest& guest) {
@@ -190,6 +193,7 @@ void ServerLoop::offer_picture(Guest& guest) {
     const Packed picture = packer.packed(viewer.flow.width());
     if (!picture) return;
     ration_.spend(static_cast<double>(picture->size()));
+    viewer.is_served = true;
     guest.connection.put(picture);
     viewer.flow.sent(packer.number(), now);
     if (!side || !side->measure || viewer.measure == side->view.number) return;
@@ -202,15 +206,33 @@ void ServerLoop::offer_small(Guest& guest) {
     const auto next = std::find_if(small_.begin(), small_.end(),
                                    [&](const Small& one) { return one.version > guest.viewer->small; });
     if (next == small_.end() || !ration_.has_some(now_s())) return;
-    guest.viewer->small = next->version;
     if (!next->packed) {
-        const auto jpeg = image::encode_jpeg(*next->image, kSmallQuality);
-        if (!jpeg.ok()) return;
-        next->packed = std::make_shared<const std::vector<std::uint8_t>>(
-            build_frame(Opcode::binary, small_message(next->kind, next->name, *jpeg)));
+        if (!std::exchange(next->is_encoding, true)) encode_small(*next);
+        return;
     }
+    guest.viewer->small = next->version;
+    guest.viewer->is_served = true;
     ration_.spend(static_cast<double>(next->packed->size()));
     guest.connection.put(next->packed);
+}
+
+void ServerLoop::encode_small(const Small& small) {
+    encoder_.put([this, version = small.version, kind = small.kind, name = small.name,
+                  image = small.image]() -> Worker::Done {
+        const auto jpeg = image::encode_jpeg(*image, kSmallQuality);
+        const std::vector<std::uint8_t> frame =
+            jpeg.ok() ? build_frame(Opcode::binary, small_message(kind, name, *jpeg))
+                      : std::vector<std::uint8_t>();
+        return [this, version, packed = std::make_shared<const std::vector<std::uint8_t>>(frame)] {
+            for (Small& one : small_)
+                if (one.version == version) one.packed = packed;
+        };
+    });
+}
+
+void ServerLoop::take_encoded(const Encoded& encoded) {
+    packer_.take(encoded);
+    for (Side& side : sides_) side.packer.take(encoded);
 }
 
 const Packed& ServerLoop::state() {

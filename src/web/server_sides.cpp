@@ -108,7 +108,10 @@ void ServerLoop::choose_sides() {
         std::optional<ui::SideView> view = side_of(guest.viewer->watch);
         if (!view) continue;
         view->number = ++side_numbers_;
-        sides_.push_back({guest.viewer->watch, std::move(*view), PicturePacker(numbers_, 1), nullptr});
+        sides_.push_back(
+            {guest.viewer->watch, std::move(*view),
+             PicturePacker(numbers_, 1, encoder_, [this](const Encoded& one) { take_encoded(one); }),
+             nullptr});
         is_new = true;
     }
     if (!is_new) return;

@@ -28,12 +28,25 @@ TEST(Connection, an_answer_that_nobody_reads_has_a_minute) {
     ASSERT_TRUE(ends.ours);
     Connection connection(std::move(ends.ours), 0);
     connection.put(std::vector<std::uint8_t>(64u << 20));
-    ASSERT_TRUE(connection.send());
+    ASSERT_TRUE(connection.send(0));
     ASSERT_GT(connection.unsent(), 0u);
+    EXPECT_FALSE(connection.is_in_answer(0)) << "it does not end yet";
     EXPECT_FALSE(connection.is_over(1000)) << "it does not end yet";
     connection.end(1000);
+    EXPECT_FALSE(connection.is_in_answer(1000)) << "nothing moved for long";
     EXPECT_FALSE(connection.is_over(1060));
     EXPECT_TRUE(connection.is_over(1060.01));
+}
+
+TEST(Connection, an_answer_that_moves_is_on_its_way) {
+    Ends ends;
+    ASSERT_TRUE(ends.ours);
+    Connection connection(std::move(ends.ours), 0);
+    connection.put(std::make_shared<const std::string>(64u << 20, 'a'));
+    connection.end(0);
+    ASSERT_TRUE(connection.send(10));
+    EXPECT_TRUE(connection.is_in_answer(12));
+    EXPECT_FALSE(connection.is_in_answer(14));
 }
 
 TEST(Connection, what_is_sent_is_read_for_a_second) {
@@ -41,7 +54,7 @@ TEST(Connection, what_is_sent_is_read_for_a_second) {
     ASSERT_TRUE(ends.ours);
     Connection connection(std::move(ends.ours), 0);
     connection.put("bye");
-    ASSERT_TRUE(connection.send());
+    ASSERT_TRUE(connection.send(0));
     EXPECT_EQ(connection.unsent(), 0u);
     connection.end(10);
     EXPECT_FALSE(connection.is_over(40));

@@ -188,7 +188,7 @@ TEST_F(WebServer, connections_that_say_nothing_have_a_limit_and_an_end) {
         idle.push_back(std::make_unique<Peer>(server->port()));
         idle.back()->send("GET");
     }
-    std::this_thread::sleep_for(500ms); // all are in
+    std::this_thread::sleep_for(1200ms); // all are in, and had their second
     for (std::size_t k = 0; k < 3; ++k) {
         EXPECT_EQ(Peer(server->port()).get("/"), 200) << "who asks is answered at once";
         std::this_thread::sleep_for(100ms);

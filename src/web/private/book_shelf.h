@@ -3,12 +3,13 @@
 // BookShelf: the files of a cue book (docs/guide/cue-book.md) for the page, by their names there: book.json,
 // difference.json where it was made against an older one, and the pictures that these name. No other name
 // leads to the disk. A file is read again when it was made anew, one that is damaged, too, and not before.
-// One thread.
+// One thread at a time, whichever.
 
 #include "base/result.h"
 
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <set>
 #include <string>
@@ -17,8 +18,9 @@
 
 namespace ghost::web {
 
-// For one thread that serves all; a book on the disk may be larger.
-inline constexpr std::size_t kMostShelfBytes = std::size_t{32} << 20; // of book.json, of difference.json
+// For phones; a book on the disk may be larger. 10,000 fixtures and 1000 entries of which each changes 300
+// take 9 MiB.
+inline constexpr std::size_t kMostShelfBytes = std::size_t{16} << 20; // of book.json, of difference.json
 inline constexpr std::size_t kMostBookPictureBytes = std::size_t{16} << 20;
 
 class BookShelf {
@@ -27,10 +29,11 @@ public:
     explicit BookShelf(std::filesystem::path folder) : folder_(std::move(folder)) {}
 
     struct File {
-        std::string type; // of HTTP
-        std::string bytes;
+        std::string type;                         // of HTTP
+        std::shared_ptr<const std::string> bytes; // never null
     };
-    // Error: in words for who reads; there is no book, it is damaged, or has no such file.
+    // Where the book was compared with none, difference.json is null. Error: in words for who reads; there is
+    // no book, it is damaged, or has no such file.
     Result<File> file(std::string_view name);
 
 private:
@@ -41,8 +44,9 @@ private:
     };
     struct Text {
         std::optional<Stamp> stamp; // of what was read last, good or not; none: there is no file
-        Result<std::string> text;
+        Result<std::shared_ptr<const std::string>> text;
         std::set<std::string, std::less<>> pictures = {}; // that it names
+        bool is_there = false;
     };
     using PicturesOf = Result<std::vector<std::string>>(std::string_view text, const std::string& where);
     // As it is on the disk now.

@@ -16,6 +16,7 @@
 namespace ghost::web {
 
 using Packed = std::shared_ptr<const std::vector<std::uint8_t>>; // shared by all who get the same
+using SharedText = std::shared_ptr<const std::string>;
 
 class Connection {
 public:
@@ -30,19 +31,24 @@ public:
     }
 
     void put(Packed bytes);
+    void put(SharedText text);
     void put(std::string_view text);
     void put(std::vector<std::uint8_t> bytes) {
         put(std::make_shared<const std::vector<std::uint8_t>>(std::move(bytes)));
     }
     std::size_t unsent() const { return unsent_; }
     // As much as goes. False: the other end is gone.
-    bool send();
+    bool send(double now_s);
 
     // Ends when all is sent; what still comes is not read any more.
     void end(double now_s);
     bool is_ending() const { return ends_s_ >= 0; }
     // Whether there is nothing left to wait for.
     bool is_over(double now_s);
+    // An answer is on its way, and the other end reads it.
+    bool is_in_answer(double now_s) const {
+        return is_ending() && unsent_ > 0 && now_s - moved_s_ < kStands_s;
+    }
 
     double since_s() const { return since_s_; }
     double heard_s() const { return heard_s_; }
@@ -51,14 +57,22 @@ public:
 private:
     static constexpr double kEnd_s = 1;   // for the other end to read what was sent last
     static constexpr double kSend_s = 60; // for all of an answer, however slow the line
+    static constexpr double kStands_s = 3;
+
+    struct Piece {
+        std::shared_ptr<const void> owner;
+        Bytes bytes;
+    };
+    void put(Piece piece);
 
     std::unique_ptr<dmx::TcpStream> stream_;
     double since_s_, heard_s_;
-    double ends_s_ = -1; // since when; below 0: it goes on
-    double sent_s_ = -1; // since when all is sent; below 0: it is not
+    double moved_s_ = -1e9; // when something was sent last
+    double ends_s_ = -1;    // since when; below 0: it goes on
+    double sent_s_ = -1;    // since when all is sent; below 0: it is not
     bool finished_ = false;
     std::vector<std::uint8_t> unread_;
-    std::deque<Packed> out_;
+    std::deque<Piece> out_;
     std::size_t sent_of_first_ = 0;
     std::size_t unsent_ = 0;
 };

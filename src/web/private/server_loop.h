@@ -12,10 +12,12 @@
 #include "web/private/connection.h"
 #include "web/private/picture_packer.h"
 #include "web/private/viewer.h"
+#include "web/private/worker.h"
 #include "web/protocol.h"
 #include "web/server.h"
 #include "web/site.h"
 
+#include <atomic>
 #include <list>
 #include <memory>
 #include <optional>
@@ -26,27 +28,36 @@ namespace ghost::web {
 
 class ServerLoop {
 public:
-    ServerLoop(ui::Link& link, dmx::TcpListener& listener, dmx::StreamWake& wake, Gate& gate,
-               const ServerOptions& options);
+    ServerLoop(ui::Link& link, dmx::TcpListener& listener, std::shared_ptr<dmx::StreamWake> wake, Gate& gate,
+               const ServerOptions& options, const std::atomic<bool>& stop);
 
-    // Waits until there is something to do, a moment at most, and does it.
+    // Waits until there is something to do, a moment at most, and does it, or a part of it once it is to
+    // stop.
     void round();
 
 private:
     struct Guest {
         Connection connection;
-        std::unique_ptr<Viewer> viewer; // null: no WebSocket, or not yet
+        std::unique_ptr<Viewer> viewer = nullptr; // null: no WebSocket, or not yet
+        std::optional<std::string> book = {};     // a file of it, that is waited for
+        std::uint64_t reading = 0;                // its number, once it is being read
+        SharedText file = nullptr;                // that is on its way
     };
 
     static double now_s() { return steady_now_s(); }
     void wait();
     void accept();
-    void make_room();
+    bool is_full() const { return guests_.size() >= kMostViewers + kMostOthers; }
+    // Whoever makes room for who comes; none: all have come just now, or are being answered.
+    std::list<Guest>::iterator who_leaves();
     // False: it is gone.
     bool serve(Guest& guest);
     void read_request(Guest& guest);
     void begin_live(Guest& guest, const Routed& routed, std::uint64_t keys);
-    void answer_book(Guest& guest, const std::string& name);
+    void read_book();
+    void answer_book(std::uint64_t reading, const Result<BookShelf::File>& file);
+    std::size_t book_bytes() const; // in memory, that are on their way
+    void tell_of(const Guest& guest, const std::string& what);
     void read_frames(Guest& guest);
     void hear(Guest& guest, const ToServer& message);
     void watch(Guest& guest, const Watch& watch);
@@ -60,6 +71,7 @@ private:
     void end_what_is_late(Guest& guest);
 
     void read_news();
+    void take_encoded(const Encoded& encoded);
     void take_opened(ui::Opened opened);
     void take_small(SmallKind kind, const std::vector<ui::NamedPicture>& pictures);
     void take_side(const ui::SidePicture& picture);
@@ -79,11 +91,18 @@ private:
 
     ui::Link& link_;
     dmx::TcpListener& listener_;
-    dmx::StreamWake& wake_;
+    std::shared_ptr<dmx::StreamWake> wake_;
     Gate& gate_;
-    BookShelf book_;
+    const std::atomic<bool>& stop_;
+    const std::string host_; // by which who stands before us calls us
+    std::shared_ptr<BookShelf> book_;
+    std::uint64_t readings_ = 0; // of files of the book
+    bool is_reading_ = false;
+    Worker encoder_, reader_;
     const double silence_s_;
     Ration ration_;
+    Ration lines_{1, 20}; // of the log, about who comes and leaves
+    std::size_t untold_ = 0;
     std::list<Guest> guests_;
     std::size_t viewers_ = 0;
     std::uint64_t ids_ = 0; // of viewers
@@ -91,7 +110,7 @@ private:
 
     // Of the engine, the newest.
     std::uint32_t numbers_ = 0; // of pictures
-    PicturePacker packer_{numbers_, 0};
+    PicturePacker packer_{numbers_, 0, encoder_, [this](const Encoded& one) { take_encoded(one); }};
     std::optional<ui::Picture> picture_;
     std::optional<ui::Opened> opened_;
     std::optional<ui::RigNow> rig_;
@@ -109,8 +128,10 @@ private:
         std::string name;
         std::shared_ptr<const image::Image8> image;
         std::uint64_t version = 0;
-        Packed packed; // null: not yet
+        Packed packed = nullptr; // null: not yet
+        bool is_encoding = false;
     };
+    void encode_small(const Small& small);
     std::vector<Small> small_; // versions grow
     std::uint64_t small_version_ = 0;
 

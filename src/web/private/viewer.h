@@ -1,6 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: Apache-2.0
-// Viewer: one browser that looks on: what it wants, what it got, and how many messages it may still send.
+// Viewer: one browser that looks on: what it wants, what it got, and how many messages it may still send, of
+// which those that a picture sent to it is painted do not count.
 // Seconds of the server's clock. The server's thread.
 
 #include "web/flow.h"
@@ -31,16 +32,19 @@ struct Viewer {
     double state_s = -1e9;                                                  // when it was told the state last
     double asked_if_there_s = 0;                                            // by a ping of the WebSocket
     std::deque<double> painted_s;                                           // in the last second
+    bool is_served = false;                                                 // of the ration, in this round
+    double asked_engine_s = -1e9;                                           // for an explanation, last
 
-    // False: too many in a second.
+    // False: too many.
     bool may_say(double now_s) {
-        if (now_s - second_s_ >= 1) {
-            second_s_ = now_s;
-            said_ = 0;
-        }
-        return ++said_ <= kMostMessagesPerSecond;
+        if (!messages_.has_some(now_s)) return false;
+        messages_.spend(1);
+        return true;
     }
-    void count_painted(double now_s) {
+    // Of a message that may_say() was asked about.
+    void hear_painted(std::uint32_t number, double now_s) {
+        if (!flow.painted(number, now_s)) return;
+        messages_.spend(-1);
         painted_s.push_back(now_s);
         forget_painted(now_s);
     }
@@ -49,8 +53,7 @@ struct Viewer {
     }
 
 private:
-    double second_s_ = -1e9;
-    int said_ = 0;
+    Ration messages_{kMostMessagesPerSecond, 1};
 };
 
 } // namespace ghost::web
