@@ -58,9 +58,9 @@ void add_quantity(const Quantity& quantity, const FixtureValues& before, const F
 
 // Single blades, where the one that is farthest in stays.
 bool blades_move(const FixtureValues& before, const FixtureValues& after) {
-    constexpr float kLeast = 0.01f;
+    constexpr float kLeastShift = 0.01f; // of the field
     const auto differ = [](const fixture::Blade& a, const fixture::Blade& b) {
-        return std::abs(a.a - b.a) >= kLeast || std::abs(a.b - b.b) >= kLeast ||
+        return std::abs(a.a - b.a) >= kLeastShift || std::abs(a.b - b.b) >= kLeastShift ||
                std::abs(a.deg - b.deg) >= kLeastTurn_deg;
     };
     return std::abs(before.shaper_deg - after.shaper_deg) >= kLeastTurn_deg ||

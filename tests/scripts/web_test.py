@@ -265,7 +265,7 @@ class Web(unittest.TestCase):
         try:
             difference.write_text(json.dumps({**json.loads(good), "entries": "abc"}), encoding="utf-8")
             page.value("document.querySelector('ghost-book .tools button').click()")
-            page.until("document.querySelector('ghost-book .bad')")
+            page.until("document.querySelector('ghost-book .bad') !== null")
             self.assertIn("'entries' is not a list", page.value("document.querySelector('ghost-book .bad').textContent"))
             self.assertEqual(page.value("document.querySelectorAll('ghost-book article').length"), 2, "the book itself is well")
         finally:
