@@ -17,6 +17,7 @@ import time
 import unittest
 
 from lib import full_disk, needs
+from lib.demo_show import demo_show
 
 needs.packages("poppler-utils")
 SOURCE, PROGRAM = pathlib.Path(sys.argv[1]).resolve(), pathlib.Path(sys.argv[2]).resolve() / "ghostlight"
@@ -60,11 +61,7 @@ def run(*arguments, full=None, threads=None):
 
 def show(name, cues=CUES, level=0.8):
     folder = WORK / name
-    folder.mkdir()
-    demo = SOURCE / "assets/demo"
-    for large in ("stage.glb", "demo.show"):
-        (folder / large).symlink_to(demo / large)
-    text = (demo / "show.toml").read_text(encoding="utf-8").replace("../fixtures", str(SOURCE / "assets/fixtures"))
+    text = demo_show(SOURCE, folder)
     (folder / "show.toml").write_text(text + cues, encoding="utf-8")
     if cues:
         (folder / "looks.toml").write_text(LOOKS.replace("{level}", str(level)), encoding="utf-8")

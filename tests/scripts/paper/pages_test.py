@@ -14,6 +14,7 @@ SOURCE, PROGRAM = pathlib.Path(sys.argv[1]).resolve(), pathlib.Path(sys.argv[2])
 sys.path.insert(0, str(SOURCE / "tests/scripts/lib"))
 import browser  # noqa: E402  (the folder is known only now)
 import needs  # noqa: E402
+from demo_show import demo_show  # noqa: E402
 
 needs.packages("chromium", "poppler-utils")
 LONG = ("w" * 300, "A cue with a name of many words, as somebody writes it who has the time, and then some more of it")
@@ -28,11 +29,7 @@ def run(*arguments):
 
 def show(name, more="", fixtures=None):
     folder = WORK / name
-    folder.mkdir()
-    demo = SOURCE / "assets/demo"
-    for large in ("stage.glb", "demo.show"):
-        (folder / large).symlink_to(demo / large)
-    text = (demo / "show.toml").read_text(encoding="utf-8").replace("../fixtures", str(SOURCE / "assets/fixtures"))
+    text = demo_show(SOURCE, folder)
     for old, new in (fixtures or {}).items():
         assert f'name = "{old}"' in text
         text = text.replace(f'name = "{old}"', f'name = "{new}"')

@@ -10,6 +10,9 @@ import tempfile
 import unittest
 
 SOURCE, PROGRAM = pathlib.Path(sys.argv[1]).resolve(), pathlib.Path(sys.argv[2]).resolve() / "ghostlight"
+sys.path.insert(0, str(SOURCE / "tests/scripts/lib"))
+from demo_show import demo_show  # noqa: E402  (the folder is known only now)
+
 SIZE = ["--size", "96x54"]
 LOOKS = '[[look]]\nname = "Blue <b>"\n[[look.fixture]]\nname = "Spot 1"\nintensity = {level}\n[[look]]\nname = "Dark"\n'
 WORK = None
@@ -22,11 +25,7 @@ def run(*arguments):
 
 def show(name, level=0.8):
     folder = WORK / name
-    folder.mkdir()
-    demo = SOURCE / "assets/demo"
-    for large in ("stage.glb", "demo.show"):
-        (folder / large).symlink_to(demo / large)
-    (folder / "show.toml").write_text((demo / "show.toml").read_text(encoding="utf-8").replace("../fixtures", str(SOURCE / "assets/fixtures")), encoding="utf-8")
+    (folder / "show.toml").write_text(demo_show(SOURCE, folder), encoding="utf-8")
     (folder / "looks.toml").write_text(LOOKS.replace("{level}", str(level)), encoding="utf-8")
     return folder
 
