@@ -34,15 +34,7 @@ x += ('<Function ID="2" Type="Chaser" Name="C"><Speed FadeIn="0" FadeOut="0" Dur
 open(sys.argv[1], 'w').write(x)
 open(sys.argv[2], 'w').write('\n'.join(','.join(map(str, look)) for look in looks))
 P
-ip netns exec $VIS "$ghostlight" record -o "$work/out.show" --interface net0 --universes 1-2 --seconds 6 --wait 30 --json --quiet \
-    >"$work/summary.json" &
-recorder=$!
-pids=$recorder
-sleep 0.5
-ip netns exec $DESK env HOME="$work" XDG_RUNTIME_DIR="$work" QT_QPA_PLATFORM=offscreen \
-    qlcplus --nowm --nogui --open "$work/test.qxw" --operate >"$work/qlcplus.log" 2>&1 &
-pids="$pids $!"
-wait $recorder || { tail -5 "$work/qlcplus.log"; fail "record"; }
+desk_qlc_record "$work/test.qxw" "$work/out.show" 6
 cat "$work/summary.json"
 /usr/bin/python3 - "$work" <<'P' || fail "recorded looks"
 import json, statistics, sys

@@ -38,13 +38,11 @@ open(sys.argv[1], "w").write(f'''<?xml version="1.0" encoding="UTF-8"?>
 P
 ip netns exec $VIS "$ghostlight" monitor --interface net0 --universes 1 --json --levels --every 0.1 --quiet >"$work/monitor.jsonl" &
 pids=$!
-ip netns exec $DESK env HOME="$work" XDG_RUNTIME_DIR="$work" QT_QPA_PLATFORM=offscreen \
-    qlcplus --nowm --nogui --open "$work/test.qxw" --operate >"$work/qlcplus.log" 2>&1 &
-qlc=$!
+desk_qlc "$work/test.qxw"
 ip netns exec $DESK setpriv --reuid=$user --regid=nogroup --clear-groups olad --no-http --no-register-with-dns-sd -l 2 -c "$conf" \
     >"$work/olad.log" 2>&1 &
 ola=$!
-pids="$pids $qlc $ola"
+pids="$pids $ola"
 
 # expect WHAT EXPRESSION: waits until it is true of the newest report r; u is the universe, by a source's priority s.
 expect() {
@@ -79,7 +77,7 @@ expect "OLA at 150 takes four slots over, and no others" \
     "u['levels'] == [250, 251, 0, 253] + qlc[4:] and s[150]['slots_held'] == 4 and s[100]['slots_held'] == 508"
 kill -KILL $ola
 expect "OLA is lost: all is QLC+'s again" "u['levels'] == qlc and 150 not in s and not u['lost']"
-kill -KILL $qlc
+kill $qlc
 expect "QLC+ is lost, too: its look is held and marked" "u['lost'] and u['levels'] == qlc and not s"
 /usr/bin/python3 - "$work/monitor.jsonl" <<'P' || fail "something else was shown"
 import json, sys

@@ -24,15 +24,7 @@ for k, (mode, name, universe, address) in enumerate(place.findall(text)):
              % (name, mode, int(universe) + 1, int(address) + 1, -7 + 2 * (k % 8), 4 - 3 * (k // 8)))
 open(sys.argv[2] + '/show/show.toml', 'w').write(show)
 P
-ip netns exec $VIS "$ghostlight" record -o "$work/movers.show" --interface net0 --universes 1-2 --seconds 8 --wait 30 --json --quiet \
-    >"$work/summary.json" &
-recorder=$!
-pids=$recorder
-sleep 0.5
-ip netns exec $DESK env HOME="$work" XDG_RUNTIME_DIR="$work" QT_QPA_PLATFORM=offscreen \
-    qlcplus --nowm --nogui --open "$work/movers.qxw" --operate >"$work/qlcplus.log" 2>&1 &
-pids="$pids $!"
-wait $recorder || { tail -5 "$work/qlcplus.log"; fail "record"; }
+desk_qlc_record "$work/movers.qxw" "$work/movers.show" 8
 [ -z "${KEEP:-}" ] || cp -r "$work" "$KEEP"
 /usr/bin/python3 - "$ghostlight" "$work" <<'P' || fail "what the fixtures do"
 import json, subprocess, sys

@@ -29,7 +29,5 @@ x += ('<Function ID="2" Type="Chaser" Name="C"><Speed FadeIn="0" FadeOut="0" Dur
       '</Function>\n</Engine>\n</Workspace>\n')
 open(sys.argv[3], 'w').write(x)
 P
-ip netns exec $DESK env HOME="$work" XDG_RUNTIME_DIR="$work" QT_QPA_PLATFORM=offscreen \
-    qlcplus --nowm --nogui --open "$work/test.qxw" --operate >"$work/qlcplus.log" 2>&1 &
-pids=$!
+desk_qlc "$work/test.qxw"
 ip netns exec $VIS /usr/bin/python3 -B "$source_dir/tests/scripts/lib/desk_window.py" "$@" || { tail -5 "$work/qlcplus.log"; fail "the window"; }
