@@ -59,6 +59,13 @@ struct NoList : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
+// What the library says begins with a name of its own: "[json.exception.out_of_range.403] key 'unknown' not found".
+std::string damage_of(const Json::exception& error) {
+    const std::string said = error.what();
+    const std::size_t name_end = said.find("] ");
+    return name_end == std::string::npos ? said : said.substr(name_end + 2);
+}
+
 // Json goes through objects and single values as through lists.
 const Json& list_at(const Json& all, const char* key) {
     const Json& list = all.at(key);
@@ -158,7 +165,7 @@ Result<Book> book_from(std::string_view text, const std::string& where) {
     try {
         book = whole_from(all);
     } catch (const Json::exception& error) {
-        return Error{std::string("is a damaged cue book: ") + error.what(), where};
+        return Error{"is a damaged cue book: " + damage_of(error), where};
     } catch (const NoList& error) {
         return Error{std::string("is a damaged cue book: ") + error.what(), where};
     }
@@ -218,7 +225,7 @@ Result<std::vector<std::string>> files_of_difference(std::string_view text, cons
             }
         }
     } catch (const Json::exception& error) {
-        return Error{std::string("is damaged: ") + error.what(), where};
+        return Error{"is damaged: " + damage_of(error), where};
     } catch (const NoList& error) {
         return Error{std::string("is damaged: ") + error.what(), where};
     }

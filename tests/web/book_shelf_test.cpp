@@ -83,7 +83,8 @@ TEST_F(Shelf, what_is_no_book_is_said) {
     EXPECT_TRUE(shelf.file("book.json").ok()) << "it was made meanwhile";
     put("difference.json", R"({"ghostlight_difference":1,"pictures":[{"file":"../../etc/passwd"}]})");
     EXPECT_TRUE(shelf.file("book.json").ok()) << "what was compared is damaged, not the book";
-    EXPECT_FALSE(shelf.file("difference.json").ok());
+    ASSERT_FALSE(shelf.file("difference.json").ok());
+    EXPECT_EQ(shelf.file("difference.json").error().what, "is damaged: key 'old_name' not found");
     EXPECT_TRUE(shelf.file("pictures/0001-1.png").ok());
 }
 
