@@ -18,6 +18,7 @@ class Rig extends HTMLElement {
     this.append(this.search, this.count, this.list);
     this.rows = [];
     this.open = -1;  // fixture that is explained
+    this.said = "";  // of its way
     // What is read stays where it is while it changes; only the sentence is spoken.
     this.verdict = make("p", {"aria-live": "polite"});
     this.way = make("pre", {tabindex: "0", "aria-label": "From packet to surface", hidden: ""});
@@ -99,7 +100,7 @@ class Rig extends HTMLElement {
     const row = this.rows[index];
     row.button.setAttribute("aria-expanded", "true");
     this.verdict.textContent = "asking ...";
-    this.way.textContent = "";
+    this.said = "";
     this.way.hidden = true;
     row.item.append(this.why);
     this.ask();
@@ -115,7 +116,8 @@ class Rig extends HTMLElement {
     const sentence = verdict.charAt(0).toUpperCase() + verdict.slice(1);
     const lines = words.split("\n").slice(1).join("\n").trimEnd();  // the first one is the sentence
     if (this.verdict.textContent !== sentence) this.verdict.textContent = sentence;
-    if (this.way.textContent !== lines) this.way.textContent = lines;
+    if (this.said !== lines) this.way.replaceChildren(...lines.split("\n").map((line) => make("span", {}, line)));
+    this.said = lines;
     this.way.hidden = lines === "";
   }
 }

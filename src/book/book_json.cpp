@@ -6,6 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <cstdio>
 #include <stdexcept>
 
 namespace ghost::scene {
@@ -15,6 +16,8 @@ using Json = nlohmann::ordered_json;
 
 constexpr int kVersion = 1;
 constexpr JsonLimits kLimits{.bytes = kMostBookBytes, .values = 40'000'000};
+constexpr double kMostNumber = 1e9;  // metres, seconds, universes, channels
+constexpr double kMostSide = 16'384; // of a picture
 
 template <class T>
 Json optional(const std::optional<T>& value) {
@@ -54,12 +57,14 @@ Json json_of(const BookEntry& entry) {
             {"unknown", entry.unknown}};
 }
 
-// What follows throws Json::exception where something is missing or has another type, NoList for a list.
-struct NoList : std::runtime_error {
+// What follows throws Json::exception where something is missing or has another type, NotOfBook for a list or
+// a number.
+struct NotOfBook : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-// What the library says begins with a name of its own: "[json.exception.out_of_range.403] key 'unknown' not found".
+// What the library says begins with a name of its own: "[json.exception.out_of_range.403] key 'unknown' not
+// found".
 std::string damage_of(const Json::exception& error) {
     const std::string said = error.what();
     const std::size_t name_end = said.find("] ");
@@ -69,13 +74,27 @@ std::string damage_of(const Json::exception& error) {
 // Json goes through objects and single values as through lists.
 const Json& list_at(const Json& all, const char* key) {
     const Json& list = all.at(key);
-    if (!list.is_array()) throw NoList(std::string("'") + key + "' is not a list");
+    if (!list.is_array()) throw NotOfBook(std::string("'") + key + "' is not a list");
     return list;
+}
+
+// Json takes what an int or a float cannot hold.
+template <class T>
+T number_from(const Json& value, double least = -kMostNumber, double most = kMostNumber) {
+    if (!value.is_number())
+        throw NotOfBook(std::string("a number is expected where there is ") + value.type_name());
+    const double number = value.get<double>();
+    if (!(number >= least && number <= most)) {
+        char words[100];
+        std::snprintf(words, sizeof words, "a number from %g to %g is expected, not %g", least, most, number);
+        throw NotOfBook(words);
+    }
+    return static_cast<T>(number);
 }
 
 template <class T>
 std::optional<T> optional_from(const Json& value) {
-    return value.is_null() ? std::nullopt : std::optional<T>(value.get<T>());
+    return value.is_null() ? std::nullopt : std::optional<T>(number_from<T>(value));
 }
 
 std::vector<std::string> texts_at(const Json& all, const char* key) {
@@ -92,9 +111,9 @@ BookFixture fixture_from(const Json& all) {
     fixture.type = all.at("type").get<std::string>();
     fixture.mode = all.at("mode").get<std::string>();
     for (const Json& address : list_at(all, "addresses"))
-        fixture.addresses.push_back({address.at(0).get<int>(), address.at(1).get<int>()});
+        fixture.addresses.push_back({number_from<int>(address.at(0)), number_from<int>(address.at(1))});
     for (int k = 0; k < 3; ++k)
-        fixture.position_m[k] = all.at("position_m").at(static_cast<std::size_t>(k)).get<float>();
+        fixture.position_m[k] = number_from<float>(all.at("position_m").at(static_cast<std::size_t>(k)));
     return fixture;
 }
 
@@ -122,9 +141,9 @@ Book whole_from(const Json& all) {
     Book book;
     book.show = all.at("show").get<std::string>();
     book.kind = all.at("kind").get<std::string>();
-    book.width = all.at("size").at(0).get<int>();
-    book.height = all.at("size").at(1).get<int>();
-    book.ev100 = all.at("ev100").get<float>();
+    book.width = number_from<int>(all.at("size").at(0), 0, kMostSide);
+    book.height = number_from<int>(all.at("size").at(1), 0, kMostSide);
+    book.ev100 = number_from<float>(all.at("ev100"));
     book.device = all.at("device").get<std::string>();
     for (const Json& fixture : list_at(all, "fixtures")) book.fixtures.push_back(fixture_from(fixture));
     for (const Json& entry : list_at(all, "entries")) book.entries.push_back(entry_from(entry));
@@ -166,7 +185,7 @@ Result<Book> book_from(std::string_view text, const std::string& where) {
         book = whole_from(all);
     } catch (const Json::exception& error) {
         return Error{"is a damaged cue book: " + damage_of(error), where};
-    } catch (const NoList& error) {
+    } catch (const NotOfBook& error) {
         return Error{std::string("is a damaged cue book: ") + error.what(), where};
     }
     if (book.entries.size() > kMostEntries || book.fixtures.size() > kMaxFixtures)
@@ -226,7 +245,7 @@ Result<std::vector<std::string>> files_of_difference(std::string_view text, cons
         }
     } catch (const Json::exception& error) {
         return Error{"is damaged: " + damage_of(error), where};
-    } catch (const NoList& error) {
+    } catch (const NotOfBook& error) {
         return Error{std::string("is damaged: ") + error.what(), where};
     }
     return files;

@@ -173,19 +173,36 @@ TEST(BookFile, every_beginning_is_refused_with_its_name) {
     }
 }
 
+// The book with something else under that key, at its first place.
+std::string with(const char* key, const char* wrong) {
+    std::string text = text_of(small_book());
+    const std::string name = std::string("\"") + key + "\": ";
+    const std::size_t at = text.find(name);
+    EXPECT_NE(at, std::string::npos) << key;
+    return text.insert(at + name.size(), std::string(wrong) + ",\"was_" + key + "\": ");
+}
+
 TEST(BookFile, something_else_in_the_place_of_a_list_is_refused) {
-    const std::string text = text_of(small_book());
     for (const char* list : {"addresses", "pictures", "changes", "unknown", "entries"})
         for (const char* wrong : {R"("abc")", R"({"length":5})", R"({})", "null"}) {
-            std::string bad = text;
-            const std::string key = std::string("\"") + list + "\": ";
-            const std::size_t at = bad.find(key);
-            ASSERT_NE(at, std::string::npos) << list;
-            bad.insert(at + key.size(), std::string(wrong) + ",\"was_" + list + "\": ");
-            const auto refused = book_from(bad, "x");
-            ASSERT_FALSE(refused.ok()) << bad;
+            const auto refused = book_from(with(list, wrong), "x");
+            ASSERT_FALSE(refused.ok()) << list << " " << wrong;
             EXPECT_NE(refused.error().what.find(list), std::string::npos) << refused.error().what;
         }
+}
+
+TEST(BookFile, a_number_that_has_no_room_is_refused) {
+    EXPECT_EQ(book_from(with("size", "[64, 3e16]"), "x").error().what,
+              "is a damaged cue book: a number from 0 to 16384 is expected, not 3e+16");
+    for (const auto& [key, wrong] : {std::pair{"size", "[-3, 64]"},
+                                     {"ev100", "1e300"},
+                                     {"ev100", "true"},
+                                     {"addresses", "[[1e10, 1]]"},
+                                     {"position_m", "[0, -1e39, 0]"},
+                                     {"fade_s", "1e39"},
+                                     {"at_s", "\"1\""}})
+        EXPECT_FALSE(book_from(with(key, wrong), "x").ok()) << key << " " << wrong;
+    EXPECT_TRUE(book_from(with("fade_s", "null"), "x").ok());
 }
 
 TEST(BookFile, of_another_kind_is_refused) {

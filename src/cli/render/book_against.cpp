@@ -57,6 +57,11 @@ Result<ComparedPicture> compare_picture(const fs::path& old_root, const std::str
     return compared;
 }
 
+std::string folder_name(const fs::path& path) {
+    const fs::path whole = fs::absolute(path).lexically_normal();
+    return (whole.has_filename() ? whole : whole.parent_path()).filename().string();
+}
+
 } // namespace
 
 Result<std::optional<scene::Book>> old_book(const fs::path& folder) {
@@ -83,6 +88,9 @@ Result<scene::BookDifference> compare_books(const BookOptions& options, const Dr
         before = std::move(drawn.book);
     }
     scene::BookDifference difference = scene::difference_of(before, now.book, options.style);
+    // Two versions of one show are told apart by their folders; a client is not told how ours are called.
+    if (before.show == now.book.show && !now.book.is_for_client)
+        difference.old_name += " (" + folder_name(old) + ")";
     if (before.width != now.book.width || before.height != now.book.height)
         difference.unknown.push_back(
             options.style("the older pictures are of another size and are not compared"));
