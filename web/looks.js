@@ -5,6 +5,8 @@
 import {hear, isHidden, make, mayControl, now, onShown, smallPicture, thumbnail} from "./store.js";
 import {doIt, wish} from "./wire.js";
 
+const WHEN = "when the lamps rest";
+
 class Looks extends HTMLElement {
   connectedCallback() {
     this.seconds = /** @type {HTMLInputElement} */ (
@@ -75,7 +77,7 @@ class Looks extends HTMLElement {
 
   /** @param {{name: string, fade_s: number, fixtures: number}} look */
   card(look) {
-    const picture = make("div", {class: "thumb"}, thumbnail(""));
+    const picture = make("div", {class: "thumb"}, thumbnail("", WHEN));
     const state = make("span", {class: "badge"}, "Now");
     const facts = `${look.fixtures} ${look.fixtures === 1 ? "lamp" : "lamps"} \u00b7 ${look.fade_s ? `${Number(look.fade_s.toFixed(1))} s` : "at once"}`;
     const words = make("div", {class: "words"}, make("span", {class: "name"}, look.name), state, make("span", {class: "quiet"}, facts));
@@ -96,7 +98,7 @@ class Looks extends HTMLElement {
       const url = smallPicture("look", name);
       if (url === row.url) continue;
       row.url = url;
-      row.picture.replaceChildren(thumbnail(url));
+      row.picture.replaceChildren(thumbnail(url, WHEN));
     }
   }
 }

@@ -6,6 +6,7 @@ import {cameraOf, dolly, orbitOf, round, slide, turn} from "./orbit.js";
 import {hear, isCalm, isHidden, make, mayControl, now, onShown, smallPicture, thumbnail} from "./store.js";
 import {doIt, wish} from "./wire.js";
 
+const WHEN = "in turn";
 const STILL = 16;  // flag of a picture
 const MOVE_EVERY_MS = 150;
 
@@ -53,7 +54,7 @@ class Stage extends HTMLElement {
     if (shape === this.shape) return;
     this.shape = shape;
     this.rows = new Map(cameras.map((/** @type {{name: string}} */ camera) => {
-      const picture = make("div", {class: "thumb"}, thumbnail(""));
+      const picture = make("div", {class: "thumb"}, thumbnail("", WHEN));
       const button = make("button", {type: "button", "aria-pressed": "false"}, picture, make("div", {class: "words"}, make("span", {class: "name"}, camera.name)));
       button.addEventListener("click", () => this.choose(camera.name));
       return [camera.name, {item: make("li", {class: "card"}, button), button, picture, url: ""}];
@@ -158,7 +159,7 @@ class Stage extends HTMLElement {
       const url = smallPicture("camera", name);
       if (url === row.url) continue;
       row.url = url;
-      row.picture.replaceChildren(thumbnail(url));
+      row.picture.replaceChildren(thumbnail(url, WHEN));
     }
   }
 

@@ -121,9 +121,9 @@ export function make(name, attributes = {}, ...children) {
   return element;
 }
 
-/** @param {string} url of a small picture; "": there is none yet */
-export function thumbnail(url) {
-  return url ? make("img", {src: url, alt: ""}) : make("span", {}, "drawn when the lamps rest");
+/** @param {string} url of a small picture; "": there is none yet @param {string} when it will be drawn */
+export function thumbnail(url, when) {
+  return url ? make("img", {src: url, alt: ""}) : make("span", {}, `drawn ${when}`);
 }
 
 /** @param {number} seconds */

@@ -317,7 +317,7 @@ struct Link {
     Mailbox<Explained> answer;
     BoundedQueue<Command, kMostCommands> commands;
     BoundedQueue<CommandAnswer, kMostCommands> command_answers;
-    std::atomic<bool> wants_small_pictures{false};   // of cameras and looks, while the picture rests
+    std::atomic<bool> wants_small_pictures{false};   // of cameras and looks, for browsers
     News<LooksNow> looks;                            // of whoever keeps them: to the engine and to browsers
     News<std::vector<NamedPicture>> look_pictures;   // all there are; for browsers alone
     Mailbox<std::vector<SideView>> side_views;       // that are wanted from now on

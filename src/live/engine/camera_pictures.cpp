@@ -10,18 +10,23 @@ namespace ghost::app {
 namespace {
 
 constexpr double kPictureEvery_s = 1;
+constexpr double kMovingEvery_s = 5; // a hundredth of the time, where one takes 50 ms
 constexpr int kWidth = 160, kHeight = 90;
 
 } // namespace
 
 void CameraPictures::draw(const Session& session, const scene::FrameLights& lit, const Now& now,
                           const std::function<bool()>& stop) {
-    if (now.changed_s != of_s_) {
+    const std::vector<scene::Camera>& cameras = session.show->cameras;
+    if (now.moves) {
+        of_s_ = -1; // all are drawn again when they rest
+        if (next_ >= cameras.size()) next_ = 0;
+    } else if (now.changed_s != of_s_) {
         of_s_ = now.changed_s;
         next_ = 0;
     }
-    const std::vector<scene::Camera>& cameras = session.show->cameras;
-    if (next_ >= cameras.size() || now.now_s - made_s_ < kPictureEvery_s || stop()) return;
+    const double every_s = now.moves ? kMovingEvery_s : kPictureEvery_s;
+    if (next_ >= cameras.size() || now.now_s - made_s_ < every_s || stop()) return;
     if (!small_) {
         if (!SmallPicture::fits(session)) return;
         small_ = std::make_unique<SmallPicture>(session, kWidth, kHeight);

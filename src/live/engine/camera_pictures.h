@@ -1,7 +1,8 @@
 #pragma once
 // SPDX-License-Identifier: Apache-2.0
-// CameraPictures: a small picture of each camera of the show, for the window's strip: one after the other
-// while the picture rests, and again when it rests otherwise. Seconds. Engine thread.
+// CameraPictures: a small picture of each camera of the show, for the window's strip and for browsers: one
+// after the other while the lamps rest, and again when they rest otherwise; rarely, and round and round, while
+// they move. Seconds. Engine thread.
 
 #include "link/link.h"
 #include "live/session/small_picture.h"
@@ -20,8 +21,9 @@ public:
         double now_s = 0;
         double changed_s = 0; // when the picture moved last
         double air_s = 0;
+        bool moves = false; // the lamps do
     };
-    // One at most, a second after the one before. stop: something else is to be shown.
+    // One at most, a second after the one before, or five while the lamps move. stop: something else is to be shown.
     void draw(const Session& session, const scene::FrameLights& lit, const Now& now,
               const std::function<bool()>& stop);
     // The session is another one.
