@@ -124,15 +124,21 @@ void LevelSource::note_rows(const Packet& packet, bool odd, std::chrono::nanosec
         rows_->add(packet, now);
 }
 
-// Whether so many can have been sent since the newest: who begins anew begins with another number, and after
-// a pause by another port.
-bool LevelSource::may_be_lost(unsigned missed, bool began_anew, std::chrono::nanoseconds now) const {
+// How many of the missing can have been lost since the newest. Who begins anew begins with another number,
+// and after a pause by another port. Of who sends evenly what is lost leaves a pause; what went elsewhere
+// does not.
+unsigned LevelSource::lost_of(unsigned missed, bool began_anew, std::chrono::nanoseconds now) const {
     constexpr double kHaste = 1.5; // a desk whose looks move sends faster than one at rest
     constexpr double kAtOnce = 8;
-    constexpr double kPause = 5; // intervals
-    const double passed_ms = std::chrono::duration<double, std::milli>(now - last_levels_).count();
-    if (began_anew && passed_ms > kPause * interval_ms_) return false;
-    return interval_ms_ == 0.0 || missed <= kHaste * passed_ms / interval_ms_ + kAtOnce;
+    constexpr double kPause = 5;       // intervals
+    constexpr double kEven = 0.25;     // jitter, of the interval
+    if (interval_ms_ == 0.0) return 0; // two packets tell no interval
+    const double passed =
+        std::chrono::duration<double, std::milli>(now - last_levels_).count() / interval_ms_;
+    if (began_anew && passed > kPause) return 0;
+    if (missed > kHaste * passed + kAtOnce) return 0;
+    if (jitter_ms_ > kEven * interval_ms_) return missed;
+    return std::min(missed, static_cast<unsigned>(std::max(0.0, std::round(passed) - 1)));
 }
 
 // Art-Net numbers 1..255 and 0 means "not numbered"; senders that wrap through 0 exist, so a 0 is accepted
@@ -151,10 +157,9 @@ std::optional<unsigned> LevelSource::in_sequence(const Packet& packet, std::chro
     note_rows(packet, turned || !missed || sequence_.stepped_back(), now);
     if (missed) {
         missed_ += *missed;
-        if (may_be_lost(*missed, by_other_port, now)) {
-            window_.missed += *missed;
-            window_.beyond += std::max(0.0, *missed - elsewhere);
-        }
+        const unsigned lost = lost_of(*missed, by_other_port, now);
+        window_.missed += lost;
+        window_.beyond += std::min<double>(lost, std::max(0.0, *missed - elsewhere));
         if (elsewhere > 0) ++(*missed > 0 ? gaps_beside_ : none_beside_);
         window_.odd += *missed > 0 || sequence_.stepped_back() ? 1 : 0;
         window_.back += sequence_.stepped_back() ? 1 : 0;

@@ -99,7 +99,7 @@ private:
     };
     void show(const Held& levels);
     void measure_jitter(std::chrono::nanoseconds interval);
-    bool may_be_lost(unsigned missed, bool began_anew, std::chrono::nanoseconds now) const;
+    unsigned lost_of(unsigned missed, bool began_anew, std::chrono::nanoseconds now) const;
     void note_other_way(const Packet& packet, std::chrono::nanoseconds now);
     bool turns_back(const Packet& packet);
     void note_rows(const Packet& packet, bool odd, std::chrono::nanoseconds now);

@@ -106,6 +106,47 @@ TEST(Merge, one_row_of_numbers_of_which_few_are_another_universe_s_is_no_loss) {
             }
 }
 
+TEST(Merge, numbers_that_others_have_who_do_not_come_here_leave_no_pause) {
+    // A desk counts all its universes in one row, of which we hear one; its packets come a bit early and
+    // late, and of its own some are lost or not.
+    for (const int every : {6, 44})
+        for (const nanoseconds early : {0ms, 4ms})
+            for (const bool loses : {false, true}) {
+                Merge merge;
+                Desk desk{1};
+                int lost = 0;
+                for (int i = 0; i < 400; ++i) {
+                    const nanoseconds now = i * 25ms - i * 7919 % 3 * early / 2;
+                    const Packet packet = desk.packet({1});
+                    if (loses && i % 20 == 13)
+                        ++lost;
+                    else
+                        merge.feed(packet, now);
+                    if (i % every == 0) ++desk.sequence;
+                    merge.tick(now);
+                }
+                EXPECT_NEAR(static_cast<double>(merge.counters().lost), lost, loses ? 6 : 0)
+                    << every << (early > 0ms);
+            }
+}
+
+TEST(Merge, what_gets_lost_of_a_sender_that_comes_in_bunches_is_told) {
+    // As by Wi-Fi: four packets at once, a tenth of them lost.
+    Merge merge;
+    Desk desk{1};
+    int lost = 0;
+    for (int i = 0; i < 800; ++i) {
+        const nanoseconds now = i / 4 * 100ms + i % 4 * 1ms;
+        const Packet packet = desk.packet({1});
+        if (i * 7919 % 10 == 3)
+            ++lost;
+        else
+            merge.feed(packet, now);
+        merge.tick(now);
+    }
+    EXPECT_NEAR(static_cast<double>(merge.counters().lost), lost, 8);
+}
+
 TEST(Merge, what_is_lost_beside_other_universes_of_the_sender_is_told) {
     // Each universe counts for itself, and a tenth of what is sent for one of them does not come.
     for (const int every : {1, 6, 44}) {
