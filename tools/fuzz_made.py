@@ -227,6 +227,9 @@ def made():
         "osc": [b"/ghost/cue\0\0,s\0\0next\0\0\0\0", b"#bundle\0" + bytes(8) + struct.pack(">I", 8) + b"/a\0\0,\0\0\0"],
         "rdm": [bytes.fromhex("4172742d4e6574000083000e01000000000000000000000001187ff0000000017a700000000107010000002000600003c8"),
                 bytes.fromhex("4172742d4e6574000080000e00000000000000000000000100")],
+        "marks": [b'\xef\xbb\xbftime,number,name,note\r\n1:23.5,12,"Solo, ""slow""",\r\n5;3;Haze;left\n# a remark\n00:00:10:12,5,,\n0:75,6\n-1,7\n9'],
+        "symbol": [b'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 40 20"><style>.a{fill:none;stroke:#000}</style><g transform="translate(2 3) rotate(9)">'
+                   b'<path class="a" d="M0 0L9 9c1 2 3 4 5 6A4 4 0 0 1 9 9z"/><circle cx="4" cy="4" r="3"/><polygon points="0,0 4,1 2 7"/></g></svg>'],
         "http": [b"GET /a/main.js HTTP/1.1\r\nHost: localhost:8010\r\nAccept: */*\r\n\r\n",
                  b"POST /pair HTTP/1.1\r\nHost: localhost:8010\r\nOrigin: http://localhost:8010\r\nContent-Type: application/json\r\n"
                  b'Content-Length: 17\r\n\r\n{"code":"123456"}',

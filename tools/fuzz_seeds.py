@@ -16,7 +16,7 @@ from fuzz_made import made  # noqa: E402  (the folder is known only now)
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 ENDINGS = {  # of a target's real files
     "gdtf": [".gdtf"], "mvr": [".mvr"], "qxf": [".qxf"], "ofl": [".json"], "show": [".toml"], "looks": [".toml"], "passes": [".toml", ".json"],
-    "ola_show": [".show"], "model": [".glb", ".gltf", ".3ds", ".obj"], "gltf_pack": [".gltf"], "picture": [".png", ".jpg", ".svg"],
+    "ola_show": [".show"], "model": [".glb", ".gltf", ".3ds", ".obj"], "gltf_pack": [".gltf"], "picture": [".png", ".jpg", ".svg"], "symbol": [".svg"],
     "photometric": [".ies", ".ldt"], "exr": [".exr"], "plot_show": [".mvr"]}
 
 
