@@ -66,16 +66,17 @@ class Book extends HTMLElement {
     this.size = {width: String(book.size[0]), height: String(book.size[1])};
     const {length} = book.entries;
     this.about.textContent = `${book.show || "The show"}: ${length} ${length === 1 ? "entry" : "entries"} (${book.kind}), drawn by ${book.device}`;
+    const hasNumbers = book.entries.some((/** @type {any} */ entry) => entry.number);
     this.body.replaceChildren(
         ...(problem ? [make("p", {class: "bad"}, problem)] : []),
         ...(difference ? [this.difference(difference)] : []),
-        ...book.entries.map((/** @type {any} */ entry, /** @type {number} */ index) => this.entry(entry, index, !book.for_client))); // a tour names no fixtures
+        ...book.entries.map((/** @type {any} */ entry, /** @type {number} */ index) => this.entry(entry, hasNumbers ? "" : `${index + 1}. `, !book.for_client))); // a tour names no fixtures
   }
 
-  /** @param {any} entry @param {number} index @param {boolean} hasChanges */
-  entry(entry, index, hasChanges) {
+  /** @param {any} entry @param {string} place before its name, where no entry has a number @param {boolean} hasChanges */
+  entry(entry, place, hasChanges) {
     const times = [
-      entry.at_s === null ? "" : `at ${clock(entry.at_s)}`,
+      entry.at_s === null ? "" : `at ${moment(entry.at_s)}`,
       entry.page ? `page ${entry.page} of the script` : "",
       entry.fade_s === null ? "" : entry.fade_s > 0 ? `fades ${entry.fade_s} s` : "at once",
       entry.follow_s === null ? "" : `the next one follows after ${entry.follow_s} s`,
@@ -83,7 +84,7 @@ class Book extends HTMLElement {
     ].filter(Boolean);
     const changes = entry.changes.map((/** @type {any} */ change) => `${names(change.fixtures)}: ${change.what}`);
     return make(
-        "article", {class: "entry"}, make("h2", {}, `${entry.number || index + 1}. ${entry.name}`),
+        "article", {class: "entry"}, make("h2", {}, `${entry.number ? `${entry.number}. ` : place}${entry.name}`),
         ...(times.length ? [make("p", {class: "quiet"}, times.join(" \u00b7 "))] : []),
         ...(entry.notes ? [make("p", {}, entry.notes)] : []),
         make(
@@ -162,6 +163,12 @@ class Book extends HTMLElement {
   }
 }
 customElements.define("ghost-book", Book);
+
+/** To a hundredth of a second, never later than it is. @param {number} seconds */
+function moment(seconds) {
+  const hundredths = Math.floor(seconds * 100 + 1e-4);
+  return clock(Math.floor(hundredths / 100)) + String((hundredths % 100) / 100).slice(1);
+}
 
 /** @param {string[]} fixtures */
 function names(fixtures) {

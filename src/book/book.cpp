@@ -17,6 +17,7 @@ Book book_of(const Show& show, const PrintStyle& style) {
         entry.uuid = fixture.uuid;
         entry.addresses = addresses_of(fixture);
         entry.position_m = fixture.position_m;
+        entry.rotation_deg = fixture.rotation_deg;
         if (!fixture.type) {
             ++unread;
             continue;

@@ -25,6 +25,7 @@ struct BookFixture {
     std::string mode;
     std::vector<fixture::Address> addresses;
     glm::vec3 position_m{0};
+    std::optional<glm::vec3> rotation_deg; // as a show has it; none: an older book does not say it
 };
 
 struct BookPicture {

@@ -35,8 +35,8 @@ std::string anchor(std::size_t entry) {
     return "e" + std::to_string(entry + 1);
 }
 
-std::string title_of(const BookEntry& entry, std::size_t place) {
-    return html_text(entry_number(entry, place)) + ". " + html_name(entry.name);
+std::string title_of(const Book& book, std::size_t place) {
+    return html_text(entry_number(book, place)) + html_name(book.entries[place].name);
 }
 
 std::string picture_of(const Book& book, const BookEntry& entry, const BookPicture& picture,
@@ -49,7 +49,7 @@ std::string picture_of(const Book& book, const BookEntry& entry, const BookPictu
 std::string cell_of(const Book& book, std::size_t index, const PrintStyle& style) {
     const BookEntry& entry = book.entries[index];
     std::string text =
-        "<article class=\"entry\" id=\"" + anchor(index) + "\">\n<h2>" + title_of(entry, index) + "</h2>\n";
+        "<article class=\"entry\" id=\"" + anchor(index) + "\">\n<h2>" + title_of(book, index) + "</h2>\n";
     if (const std::string times = times_text(entry, style); !times.empty())
         text += "<p class=\"of\">" + html_name(times) + "</p>\n";
     text += list_of(entry.unknown, "unknown");
@@ -60,7 +60,7 @@ std::string cell_of(const Book& book, std::size_t index, const PrintStyle& style
 std::string section_of(const Book& book, std::size_t index, const PrintStyle& style) {
     const BookEntry& entry = book.entries[index];
     std::string text =
-        "<article class=\"entry\" id=\"" + anchor(index) + "\">\n<h2>" + title_of(entry, index) + "</h2>\n";
+        "<article class=\"entry\" id=\"" + anchor(index) + "\">\n<h2>" + title_of(book, index) + "</h2>\n";
     if (const std::string times = times_text(entry, style); !times.empty())
         text += "<p class=\"of\">" + html_name(times) + "</p>\n";
     if (!entry.notes.empty()) text += "<p>" + html_name(entry.notes) + "</p>\n";
@@ -69,12 +69,6 @@ std::string section_of(const Book& book, std::size_t index, const PrintStyle& st
     text += "</div>\n" + list_of(entry.unknown, "unknown");
     text += changes_of_entry(entry, index == 0, style);
     return text + "<p class=\"pencil\"></p><p class=\"pencil\"></p>\n</article>\n";
-}
-
-std::string figure_text(double value) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.3f", value);
-    return text;
 }
 
 std::string rows_of(const BookDifference& difference, const PrintStyle& style) {
@@ -86,10 +80,10 @@ std::string rows_of(const BookDifference& difference, const PrintStyle& style) {
     for (const ComparedPicture& picture : difference.pictures) {
         text += "<tr><td>" + html_name(picture.name) + "</td><td>" + html_name(picture.camera) + "</td>";
         if (const auto& d = picture.difference)
-            text += "<td>" + words_of(d->seen, style) + "</td><td class=\"n\">" + figure_text(d->mean) +
-                    "</td><td class=\"n\">" + figure_text(d->p99) + "</td><td class=\"n\">" +
-                    figure_text(d->max) + "</td><td class=\"n\">" +
-                    number_text(static_cast<float>(100.0 * d->share), 1) + " %</td>";
+            text += "<td>" + words_of(d->seen, style) + "</td><td class=\"n\">" + style.number(d->mean, 3) +
+                    "</td><td class=\"n\">" + style.number(d->p99, 3) + "</td><td class=\"n\">" +
+                    style.number(d->max, 3) + "</td><td class=\"n\">" + style.number(100.0 * d->share, 1) +
+                    " %</td>";
         else
             text += "<td colspan=\"5\">" + html_name(picture.why_not) + "</td>";
         text += "</tr>\n";
@@ -145,7 +139,7 @@ std::string html_of(const Book& book, const BookDifference* difference, PaperSiz
     page += "<nav aria-label=\"" + style("Entries") + "\">\n";
     if (difference) page += "<a href=\"#difference\">" + style("what changed since the older one") + "</a>\n";
     for (std::size_t i = 0; i < book.entries.size(); ++i)
-        page += "<a href=\"#" + anchor(i) + "\">" + title_of(book.entries[i], i) + "</a>\n";
+        page += "<a href=\"#" + anchor(i) + "\">" + title_of(book, i) + "</a>\n";
     page += "</nav>\n";
     if (difference) page += difference_section(book, *difference, style);
     const bool is_grid = layout == BookLayout::grid;

@@ -24,17 +24,23 @@ Json optional(const std::optional<T>& value) {
     return value ? Json(*value) : Json();
 }
 
+Json json_of(const glm::vec3& of) {
+    return {of.x, of.y, of.z};
+}
+
 Json json_of(const BookFixture& fixture) {
     Json addresses = Json::array();
     for (const fixture::Address& address : fixture.addresses)
         addresses.push_back({address.universe, address.channel});
-    return {{"name", fixture.name},
-            {"id", fixture.id},
-            {"uuid", fixture.uuid},
-            {"type", fixture.type},
-            {"mode", fixture.mode},
-            {"addresses", addresses},
-            {"position_m", {fixture.position_m.x, fixture.position_m.y, fixture.position_m.z}}};
+    Json all = {{"name", fixture.name},
+                {"id", fixture.id},
+                {"uuid", fixture.uuid},
+                {"type", fixture.type},
+                {"mode", fixture.mode},
+                {"addresses", addresses},
+                {"position_m", json_of(fixture.position_m)}};
+    if (fixture.rotation_deg) all["rotation_deg"] = json_of(*fixture.rotation_deg);
+    return all;
 }
 
 Json json_of(const BookEntry& entry) {
@@ -97,6 +103,12 @@ std::optional<T> optional_from(const Json& value) {
     return value.is_null() ? std::nullopt : std::optional<T>(number_from<T>(value));
 }
 
+glm::vec3 vector_from(const Json& value) {
+    glm::vec3 of(0);
+    for (int k = 0; k < 3; ++k) of[k] = number_from<float>(value.at(static_cast<std::size_t>(k)));
+    return of;
+}
+
 std::vector<std::string> texts_at(const Json& all, const char* key) {
     std::vector<std::string> texts;
     for (const Json& text : list_at(all, key)) texts.push_back(text.get<std::string>());
@@ -112,8 +124,8 @@ BookFixture fixture_from(const Json& all) {
     fixture.mode = all.at("mode").get<std::string>();
     for (const Json& address : list_at(all, "addresses"))
         fixture.addresses.push_back({number_from<int>(address.at(0)), number_from<int>(address.at(1))});
-    for (int k = 0; k < 3; ++k)
-        fixture.position_m[k] = number_from<float>(all.at("position_m").at(static_cast<std::size_t>(k)));
+    fixture.position_m = vector_from(all.at("position_m"));
+    if (all.contains("rotation_deg")) fixture.rotation_deg = vector_from(all.at("rotation_deg"));
     return fixture;
 }
 

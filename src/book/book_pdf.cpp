@@ -68,18 +68,17 @@ private:
         for (std::size_t i = 0; i < book_.entries.size(); ++i) {
             const BookEntry& entry = book_.entries[i];
             for (const std::string& text :
-                 {entry_number(entry, i) + ". " + entry.name, times_text(entry, style_), entry.notes})
+                 {entry_number(book_, i) + entry.name, times_text(entry, style_), entry.notes})
                 pdf_.look_for_boxes(text);
             for (const BookPicture& picture : entry.pictures) pdf_.look_for_boxes(picture.camera);
-            for (const BookChange& change : entry.changes) pdf_.look_for_boxes(change.line());
+            for (const BookChange& change : entry.changes) pdf_.look_for_boxes(change.line(style_));
         }
         return pdf_.boxes_said(style_);
     }
 
     // Its title, which the list of contents has.
     std::string begin_entry(std::size_t index) {
-        const BookEntry& entry = book_.entries[index];
-        std::string title = entry_number(entry, index) + ". " + entry.name;
+        std::string title = entry_number(book_, index) + book_.entries[index].name;
         pdf_.mark(title);
         return title;
     }
@@ -113,7 +112,7 @@ private:
         const double x = kMargin_pt + kPictures_pt + kGap_pt, width = pdf_.width_pt() - kMargin_pt - x;
         const double end = y + height - 2 * kPencil_pt;
         std::vector<std::string> changes;
-        for (const BookChange& change : entry.changes) changes.push_back(change.line());
+        for (const BookChange& change : entry.changes) changes.push_back(change.line(style_));
         if (changes.empty()) changes.push_back(style_("nothing that is seen"));
         // What follows has a line each, at least: that says how much more there is.
         const double line = pdf_.height_of(width, kTimes_pt, "x", kWords);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "book/book_plan.h"
 
-#include "base/progress.h"
+#include "book/private/entry_text.h"
 #include "book/rests.h"
 #include "show/looks.h"
 #include "show/show.h"
@@ -73,17 +73,17 @@ void plan_looks(const std::vector<StoredLook>& looks, BookPlan& plan) {
 void plan_found(const std::vector<double>& found_s, const PrintStyle& style, BookPlan& plan) {
     for (const double at_s : found_s) {
         PlannedEntry& planned = plan.entries.emplace_back();
-        planned.entry.name = style("at rest from %1", {clock_text(at_s)});
+        planned.entry.name = style("at rest from %1", {moment_text(at_s, style)});
         planned.entry.at_s = at_s;
     }
 }
 
-void plan_marks(const std::vector<Mark>& marks, BookPlan& plan) {
+void plan_marks(const std::vector<Mark>& marks, const PrintStyle& style, BookPlan& plan) {
     for (const Mark& mark : marks) {
         BookEntry& entry = plan.entries.emplace_back().entry;
         entry.name = mark.name.empty() ? mark.number : mark.name;
         if (!mark.name.empty()) entry.number = mark.number;
-        if (entry.name.empty()) entry.name = clock_text(mark.at_s);
+        if (entry.name.empty()) entry.name = moment_text(mark.at_s, style);
         entry.notes = mark.note;
         entry.at_s = mark.at_s;
     }
@@ -108,7 +108,7 @@ Result<BookPlan> plan_book(const Show& show, const std::vector<StoredLook>& look
         if (show.recording.empty()) return Error{"has no recording that marks could be in", file};
         if (marks.empty()) return Error{"has no mark to make a book of", file};
         plan.kind = "marks";
-        plan_marks(marks, plan);
+        plan_marks(marks, style, plan);
     } else if (kind == BookKind::found || !found_s.empty()) {
         if (show.recording.empty()) return Error{"has no recording to find cues in", file};
         if (found_s.empty())

@@ -82,8 +82,8 @@ bool moves(const FixtureValues& before, const FixtureValues& after) {
 
 } // namespace
 
-std::string BookChange::line() const {
-    return fixtures.empty() ? what : names_text(fixtures) + ": " + what;
+std::string BookChange::line(const PrintStyle& style) const {
+    return fixtures.empty() ? what : names_text(fixtures, style) + ": " + what;
 }
 
 std::string change_of(const FixtureValues& before, const FixtureValues& after, const PrintStyle& style) {

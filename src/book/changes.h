@@ -21,7 +21,7 @@ struct BookChange {
     std::string what; // "0 to 80 %, moves"
 
     // With the names, those that count on as one: "Spot 1-8: 0 to 80 %".
-    std::string line() const;
+    std::string line(const PrintStyle& style = {}) const;
     bool operator==(const BookChange&) const = default;
 };
 

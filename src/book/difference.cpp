@@ -3,8 +3,11 @@
 
 #include "book/private/paper_tables.h"
 #include "print/quantities.h"
+#include "show/show.h"
 
 #include <algorithm>
+#include <cmath>
+#include <glm/glm.hpp>
 #include <map>
 #include <set>
 
@@ -12,6 +15,7 @@ namespace ghost::scene {
 namespace {
 
 constexpr float kLeastMove_m = 0.01f;
+constexpr float kOtherwise_deg = 0.5f;
 
 std::string quoted(const std::string& name) {
     return "'" + name + "'";
@@ -111,6 +115,14 @@ private:
     std::map<std::string, std::size_t> known_;
 };
 
+// The angle of the one turn that leads from one to the other.
+float turned_deg(const glm::vec3& from_deg, const glm::vec3& to_deg) {
+    const glm::mat3 between =
+        glm::transpose(glm::mat3(placed(glm::vec3(0), from_deg))) * glm::mat3(placed(glm::vec3(0), to_deg));
+    const float trace = between[0][0] + between[1][1] + between[2][2];
+    return glm::degrees(std::acos(std::clamp((trace - 1) / 2, -1.0f, 1.0f)));
+}
+
 std::string key_of(const BookFixture& fixture, bool by_uuid) {
     return by_uuid && !fixture.uuid.empty() ? "uuid " + fixture.uuid : "name " + fixture.name;
 }
@@ -149,6 +161,12 @@ void compare_fixtures(const Book& old, const Book& now, const PrintStyle& style,
         if (way_m >= kLeastMove_m)
             lines.add(style("%1 moved by %2", {"%1", style.length_said(static_cast<double>(way_m))}),
                       fixture.name);
+        if (fixture.rotation_deg && was.rotation_deg)
+            if (const float turn_deg = turned_deg(*was.rotation_deg, *fixture.rotation_deg);
+                turn_deg >= kOtherwise_deg)
+                lines.add(style("%1 hangs otherwise, turned by %2 deg",
+                                {"%1", style.number(static_cast<double>(turn_deg), 1)}),
+                          fixture.name);
         if (!std::equal(fixture.addresses.begin(), fixture.addresses.end(), was.addresses.begin(),
                         was.addresses.end(), are_equal))
             lines.add(style("%1 is patched at %2, was at %3",
@@ -161,6 +179,10 @@ void compare_fixtures(const Book& old, const Book& now, const PrintStyle& style,
                 fixture.name);
     }
     lines.say(style, said);
+    if (std::any_of(old.fixtures.begin(), old.fixtures.end(),
+                    [](const BookFixture& fixture) { return !fixture.rotation_deg; }))
+        said.push_back(style(
+            "whether a fixture hangs otherwise is not known: the older book does not say how they hang"));
 }
 
 } // namespace

@@ -246,7 +246,8 @@ TEST(Page, of_a_book_has_numbers_and_pages_of_the_script) {
     for (const BookLayout layout : {BookLayout::list, BookLayout::grid}) {
         const std::string page = html_of(book, nullptr, PaperSize::a4, {}, layout);
         EXPECT_NE(page.find("<h2>47.5. <bdi>Verse</bdi></h2>"), std::string::npos);
-        EXPECT_NE(page.find("<h2>2. <bdi>Verse</bdi></h2>"), std::string::npos) << "by its place";
+        EXPECT_NE(page.find("<h2><bdi>Verse</bdi></h2>"), std::string::npos)
+            << "that of its place is another's";
         EXPECT_NE(page.find("page 12 of the script"), std::string::npos);
         EXPECT_NE(page.find("pictures/0001-1.png"), std::string::npos);
         EXPECT_EQ(page.find("0 to 80\u00a0%") == std::string::npos, layout == BookLayout::grid);
@@ -258,6 +259,28 @@ TEST(Page, says_that_nothing_is_seen) {
     book.entries.push_back(book.entries[0]);
     book.entries[1].changes.clear();
     EXPECT_NE(html_of(book, nullptr, PaperSize::letter).find("nothing that is seen"), std::string::npos);
+}
+
+TEST(Page, of_a_book_without_numbers_counts_and_tells_moments_to_a_hundredth) {
+    Book book = small_book();
+    book.entries.resize(1);
+    book.entries[0].number.clear();
+    book.entries[0].goes_on = false;
+    for (const auto& [at_s, said] : {std::pair{25.5, "at 0:25.5"},
+                                     {59.6, "at 0:59.6"},
+                                     {12.48, "at 0:12.48"},
+                                     {12.999, "at 0:12.99"},
+                                     {3600.0, "at 1:00:00"}}) {
+        book.entries[0].at_s = at_s;
+        book.entries[0].page.clear();
+        const std::string page = html_of(book, nullptr, PaperSize::a4);
+        EXPECT_NE(page.find("<h2>1. <bdi>Verse</bdi></h2>"), std::string::npos);
+        EXPECT_NE(page.find(said), std::string::npos) << said;
+    }
+    const std::string german = html_of(book, nullptr, PaperSize::a4, {Language::german});
+    EXPECT_NE(german.find("1:00:00"), std::string::npos);
+    book.entries[0].at_s = 25.5;
+    EXPECT_NE(html_of(book, nullptr, PaperSize::a4, {Language::german}).find("0:25,5"), std::string::npos);
 }
 
 TEST(BookOfShow, says_what_it_does_not_know) {

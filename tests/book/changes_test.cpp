@@ -137,6 +137,12 @@ TEST(Changes, of_fixtures_that_do_alike_are_one_line_most_light_first) {
     EXPECT_EQ(changes[2].line(), "Spot 5: moves in the dark");
 }
 
+TEST(Changes, of_many_are_german_where_that_is_asked_for) {
+    const BookChange change{{"A", "C", "E", "G", "I", "K", "M", "O", "Q", "S", "U", "W", "Y", "Z1x"}, "0"};
+    EXPECT_NE(change.line({Language::german}).find("weitere"), std::string::npos)
+        << change.line({Language::german});
+}
+
 TEST(Changes, of_a_fixture_without_a_file_are_none) {
     Show show = show_of({"Spot 1"});
     show.fixtures[0].type = nullptr;

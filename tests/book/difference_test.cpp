@@ -21,7 +21,7 @@ Book book(const std::vector<std::string>& entries) {
 }
 
 BookFixture spot(const std::string& name, int channel, const std::string& uuid = "") {
-    return {name, "", uuid, "Maker Spot", "Standard", {{1, channel}}, {0, 0, 6}};
+    return {name, "", uuid, "Maker Spot", "Standard", {{1, channel}}, {0, 0, 6}, glm::vec3(0)};
 }
 
 TEST(Difference, of_equal_books_is_nothing) {
@@ -31,6 +31,20 @@ TEST(Difference, of_equal_books_is_nothing) {
     EXPECT_TRUE(difference.entries.empty());
     EXPECT_TRUE(difference.fixtures.empty());
     EXPECT_TRUE(difference.unknown.empty());
+}
+
+TEST(Difference, of_a_fixture_that_hangs_otherwise_is_its_turn) {
+    Book old = book({"a"}), now = book({"a"});
+    old.fixtures = now.fixtures = {spot("Spot 1", 1), spot("Spot 2", 23)};
+    now.fixtures[0].rotation_deg = glm::vec3(180, 0, 90);
+    old.fixtures[0].rotation_deg = glm::vec3(180, 0, 0);
+    now.fixtures[1].rotation_deg = glm::vec3(360, 0.1f, 0); // as it was
+    EXPECT_EQ(difference_of(old, now).fixtures, (Sentences{"Spot 1 hangs otherwise, turned by 90 deg"}));
+    old.fixtures[0].rotation_deg.reset();
+    EXPECT_EQ(
+        difference_of(old, now).fixtures,
+        (Sentences{
+            "whether a fixture hangs otherwise is not known: the older book does not say how they hang"}));
 }
 
 TEST(Difference, names_entries_that_are_new_gone_and_moved) {

@@ -10,8 +10,11 @@
 
 namespace ghost::scene {
 
-// As it is called, "47"; without a number of its own that of its place, which counts from 0.
-std::string entry_number(const BookEntry& entry, std::size_t place);
+// Before its name, "47. ". Where no entry of the book has a number that of its place, which counts from 0;
+// where others have one "".
+std::string entry_number(const Book& book, std::size_t place);
+// "0:36", "0:25.5": to a hundredth, never later than it is.
+std::string moment_text(double at_s, const PrintStyle& style);
 // "at 0:36, page 12, look Blue, fade 2 s".
 std::string times_text(const BookEntry& entry, const PrintStyle& style);
 // Lines of what changes, as many as a page takes, and how many more there are.
