@@ -7,6 +7,7 @@ import {fetchWithToken} from "./wire.js";
 
 const MOST_AT_ONCE = 4;
 const MOST_NAMES = 6;
+const TURN_MS = 500;  // of a picture, of two by turns
 
 class Book extends HTMLElement {
   connectedCallback() {
@@ -116,10 +117,21 @@ class Book extends HTMLElement {
     const cut = () => (old.style.clipPath = `inset(0 ${100 - Number(range.value)}% 0 0)`);
     range.addEventListener("input", cut);
     cut();
+    const button = make("button", {type: "button", "aria-pressed": "false"}, "By turns");
+    let turns = 0;
+    button.addEventListener("click", () => {
+      clearInterval(turns);
+      turns = turns ? 0 : setInterval(() => {
+        if (!range.isConnected) return clearInterval(turns); // the book was read again
+        range.value = Number(range.value) > 50 ? "0" : "100";
+        cut();
+      }, TURN_MS);
+      button.setAttribute("aria-pressed", String(turns > 0));
+    });
     return make(
         "div", {class: "pictures"},
         make(
-            "figure", {}, make("div", {class: "slide"}, this.image(picture.file, `${name}, now`), old), range,
+            "figure", {}, make("div", {class: "slide"}, this.image(picture.file, `${name}, now`), old), range, button,
             make("figcaption", {}, `${name}: ${picture.seen}; left before, right now`)),
         this.figure(picture.map_file, `Where ${name} differs`, "where they differ: black not at all, yellow most"));
   }

@@ -55,8 +55,13 @@ nav.addEventListener("click", (event) => {
   if (name) show(name);
 });
 wide.addEventListener("change", lay);
+/** @param {EventTarget | null} element */
+function takesText(element) {
+  return element instanceof HTMLInputElement && element.type !== "range";
+}
+
 addEventListener("keydown", (event) => {
-  if (!isIn || event.ctrlKey || event.altKey || event.metaKey || event.target instanceof HTMLInputElement) return;
+  if (!isIn || event.ctrlKey || event.altKey || event.metaKey || takesText(event.target)) return;
   const name = SCREENS[Number(event.key) - 1];
   if (name) show(name);
 });

@@ -97,7 +97,7 @@ std::string slider_of(const Book& book, const ComparedPicture& picture, const Pr
            "</h3>\n<div class=\"pictures\">\n<figure>" +
            slider_html({picture.file, style("%1, now", {name}), ""},
                        {picture.old_file, style("%1, before", {name}), ""}, size_of(book),
-                       style("how much of the older picture covers %1", {name})) +
+                       style("how much of the older picture covers %1", {name}), style) +
            "<figcaption>" + style("left: before, right: now") +
            "</figcaption></figure>\n<figure><img loading=\"lazy\" src=\"" + html_text(picture.map_file) +
            "\"" + size_of(book) + " alt=\"" + html_text(style("where %1 differs", {name})) +

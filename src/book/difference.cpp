@@ -185,6 +185,13 @@ void compare_fixtures(const Book& old, const Book& now, const PrintStyle& style,
             "whether a fixture hangs otherwise is not known: the older book does not say how they hang"));
 }
 
+std::set<std::string> cameras_of(const Book& book) {
+    std::set<std::string> names;
+    for (const BookEntry& entry : book.entries)
+        for (const BookPicture& picture : entry.pictures) names.insert(picture.camera);
+    return names;
+}
+
 } // namespace
 
 BookDifference difference_of(const Book& old, const Book& now, const PrintStyle& style) {
@@ -200,6 +207,10 @@ BookDifference difference_of(const Book& old, const Book& now, const PrintStyle&
         difference.unknown.push_back(
             style("the older pictures were drawn by '%1': what two devices draw differs a little by itself",
                   {old.device}));
+    if (cameras_of(old) != cameras_of(now))
+        difference.unknown.push_back(
+            style("the older book has other cameras: where a picture is drawn after another one "
+                  "it may round otherwise, which is not seen"));
     if (old.ev100 != now.ev100)
         difference.unknown.push_back(
             style("the older pictures have exposure %1, these %2: all of them differ by that",

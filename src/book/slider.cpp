@@ -15,6 +15,13 @@ for (const range of document.querySelectorAll('.slide + input')) {
   const cut = () => { old.style.clipPath = 'inset(0 ' + (100 - range.value) + '% 0 0)'; };
   range.addEventListener('input', cut);
   cut();
+  const button = range.nextElementSibling;
+  let turns = 0;
+  button.addEventListener('click', () => {
+    clearInterval(turns);
+    turns = turns ? 0 : setInterval(() => { range.value = range.value > 50 ? 0 : 100; cut(); }, 500);
+    button.setAttribute('aria-pressed', String(turns > 0));
+  });
 }
 </script>
 )";
@@ -28,10 +35,10 @@ std::string image_html(const SlidPicture& picture, const std::string& size, bool
 } // namespace
 
 std::string slider_html(const SlidPicture& covered, const SlidPicture& covering, const std::string& size,
-                        const std::string& label) {
+                        const std::string& label, const PrintStyle& style) {
     return "<div class=\"slide\">" + image_html(covered, size, false) + image_html(covering, size, true) +
            "</div><input type=\"range\" min=\"0\" max=\"100\" value=\"50\" aria-label=\"" + html_text(label) +
-           "\">";
+           "\"><button type=\"button\" aria-pressed=\"false\">" + style("By turns") + "</button>";
 }
 
 std::string size_of(const Book& book) {

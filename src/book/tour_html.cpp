@@ -52,7 +52,7 @@ std::string looks_section(const Book& book, const PrintStyle& style) {
     text +=
         "</div>\n<div class=\"pictures wide\">\n<figure>" +
         slider_html({right.pictures[0].file, right.name, "right"}, {left.pictures[0].file, left.name, "left"},
-                    size_of(book), style("how much of the left picture covers the right one")) +
+                    size_of(book), style("how much of the left picture covers the right one"), style) +
         "</figure>\n</div>\n";
     return text + "</section>\n";
 }
@@ -84,7 +84,7 @@ std::string versions(const Book& book, const BookDifference& difference, const P
         const std::string name = style("%1 from %2", {picture.name, picture.camera});
         text += "<h3>" + html_name(name) + "</h3>\n<div class=\"pictures wide\">\n<figure>" +
                 slider_html({picture.file, style("%1, now", {name}), ""},
-                            {picture.old_file, style("%1, before", {name}), ""}, size_of(book), name) +
+                            {picture.old_file, style("%1, before", {name}), ""}, size_of(book), name, style) +
                 "<figcaption>" + style("left: before, right: now") + "</figcaption></figure>\n</div>\n";
     }
     if (!has_any) text += "<p class=\"of\">" + style("no picture differs") + "</p>\n";

@@ -23,7 +23,7 @@
 namespace ghost::app {
 namespace {
 
-constexpr const char* kBookFile = "book.json"; // by which a folder is known as a book
+constexpr const char* kBookFile = "book.json";
 
 struct BookArguments {
     BookOptions book;
@@ -50,7 +50,7 @@ Result<void> check_usage(BookArguments& arguments) {
 }
 
 Result<void> make_book(BookArguments& arguments) {
-    TRY(WholeFolder folder, WholeFolder::open(arguments.out, kBookFile));
+    TRY(WholeFolder folder, WholeFolder::open(arguments.out, "cue book"));
     TRY_VOID(folder.make_folder("pictures"));
     std::optional<scene::Book> old;
     if (!arguments.against.empty()) {

@@ -30,8 +30,6 @@
 namespace ghost::app {
 namespace {
 
-constexpr const char* kPaperFile = "instruments.csv"; // by which a folder is known as one of these
-
 // Of all the time, roughly.
 constexpr double kOpenedShare = 0.3, kStageShare = 0.4, kFocusShare = 0.6, kTablesShare = 0.8;
 
@@ -142,7 +140,7 @@ Result<void> draw_focus(const PaperArguments& arguments, const scene::Show& show
 }
 
 Result<void> make_paper(const PaperArguments& arguments) {
-    TRY(WholeFolder folder, WholeFolder::open(arguments.out, kPaperFile));
+    TRY(WholeFolder folder, WholeFolder::open(arguments.out, "paperwork"));
     catch_interrupts();
     Report report;
     const bool needs_stage = arguments.plan || arguments.focus;

@@ -25,7 +25,7 @@
 namespace ghost::app {
 namespace {
 
-constexpr const char* kTourFile = "book.json"; // by which a folder is known as a tour, and compared with one
+constexpr const char* kTourFile = "book.json"; // by which it is compared with one
 constexpr const char* kFilmFile = "film.mp4";
 constexpr double kLongestFilm_s = 600;
 
@@ -55,7 +55,7 @@ Result<void> check_usage(TourArguments& arguments) {
 }
 
 Result<void> make_tour(TourArguments& arguments) {
-    TRY(WholeFolder folder, WholeFolder::open(arguments.out, kTourFile));
+    TRY(WholeFolder folder, WholeFolder::open(arguments.out, "tour"));
     TRY_VOID(folder.make_folder("pictures"));
     if (arguments.film.length_s > 0) {
         Report report; // is said when the pictures are drawn

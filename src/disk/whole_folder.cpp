@@ -4,12 +4,19 @@
 #include "disk/files.h"
 #include "disk/temporary.h"
 
+#include <algorithm>
+#include <cstdint>
+#include <set>
 #include <utility>
 #include <vector>
 
 namespace ghost {
 namespace fs = std::filesystem;
 namespace {
+
+constexpr const char* kListName = ".ghostlight"; // "Ghostlight cue book", then a file a line, in order
+constexpr const char* kMaker = "Ghostlight ";
+constexpr std::uint64_t kMostListBytes = std::uint64_t{64} << 20;
 
 Error failed(const std::string& what, const std::error_code& code, const fs::path& path) {
     return Error{what + ": " + code.message(), path.string()};
@@ -28,9 +35,47 @@ void remove_leftovers_of(const fs::path& folder) {
     for (const fs::path& one : left) fs::remove_all(one, code);
 }
 
+// All but folders, from the folder on.
+Result<std::set<std::string>> files_in(const fs::path& folder) {
+    std::set<std::string> files;
+    std::error_code code;
+    for (fs::recursive_directory_iterator entry(folder, code), end; !code && entry != end;
+         entry.increment(code))
+        if (entry->is_symlink(code) || !entry->is_directory(code))
+            files.insert(entry->path().lexically_relative(folder).generic_string());
+    if (code) return failed("cannot be read", code, folder);
+    files.erase(kListName);
+    return files;
+}
+
+// Error: it is not all ours.
+Result<void> check_ours(const fs::path& folder, const std::string& kind) {
+    TRY(const std::set<std::string> files, files_in(folder));
+    std::error_code code;
+    if (files.empty() && !fs::exists(folder / kListName, code)) return {};
+    const Result<std::string> list = read_text_file(folder / kListName, kMostListBytes);
+    const std::string head = kMaker + kind + "\n";
+    if (!list.ok() || !list->starts_with(head))
+        return Error{"is there and is no " + kind +
+                         " that Ghostlight made (which .ghostlight in it would tell): it is not replaced",
+                     folder.string()};
+    std::set<std::string> made;
+    for (std::size_t begin = head.size(), end; begin < list->size(); begin = end + 1) {
+        end = std::min(list->find('\n', begin), list->size());
+        made.insert(list->substr(begin, end - begin));
+    }
+    for (const std::string& file : files)
+        if (!made.contains(file))
+            return Error{"has '" + file +
+                             "', which Ghostlight did not make: it is not replaced before that is "
+                             "elsewhere",
+                         folder.string()};
+    return {};
+}
+
 } // namespace
 
-Result<WholeFolder> WholeFolder::open(const fs::path& folder, const std::string& marker) {
+Result<WholeFolder> WholeFolder::open(const fs::path& folder, const std::string& kind) {
     std::error_code code;
     fs::path place = fs::absolute(folder, code).lexically_normal();
     if (!place.has_filename()) place = place.parent_path(); // "book/"
@@ -39,21 +84,19 @@ Result<WholeFolder> WholeFolder::open(const fs::path& folder, const std::string&
         return Error{"no such folder", place.parent_path().string()};
     const fs::file_status there = fs::symlink_status(place, code);
     if (fs::exists(there)) {
-        const bool is_ours =
-            fs::is_directory(there) && (fs::exists(place / marker, code) || fs::is_empty(place, code));
-        if (!is_ours)
-            return Error{"is there and has no " + marker +
-                             ": only a folder that this command made is replaced",
-                         place.string()};
+        if (!fs::is_directory(there))
+            return Error{"is there and is no folder: it is not replaced", place.string()};
+        TRY_VOID(check_ours(place, kind));
     }
     remove_leftovers_of(place);
     fs::path temporary = temporary_beside(place);
     if (!fs::create_directory(temporary, code)) return failed("cannot be made", code, place);
-    return WholeFolder(std::move(place), std::move(temporary));
+    return WholeFolder(std::move(place), std::move(temporary), kind);
 }
 
 WholeFolder::WholeFolder(WholeFolder&& other) noexcept
-    : folder_(std::move(other.folder_)), temporary_(std::exchange(other.temporary_, {})) {}
+    : folder_(std::move(other.folder_)), temporary_(std::exchange(other.temporary_, {})),
+      kind_(std::move(other.kind_)) {}
 
 WholeFolder::~WholeFolder() {
     std::error_code code;
@@ -68,6 +111,10 @@ Result<void> WholeFolder::make_folder(const std::string& name) const {
 }
 
 Result<void> WholeFolder::commit() {
+    std::string list = kMaker + kind_ + "\n";
+    TRY(const std::set<std::string> files, files_in(temporary_));
+    for (const std::string& file : files) list += file + "\n";
+    TRY_VOID(write_file_atomic(temporary_ / kListName, list));
     std::error_code code;
     fs::path before;
     if (fs::exists(folder_, code)) {

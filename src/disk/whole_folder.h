@@ -1,8 +1,9 @@
 #pragma once
 // SPDX-License-Identifier: Apache-2.0
 // WholeFolder: a folder of files that is put into its place whole, or not at all: it is written beside it
-// under a temporary name. What stands in its place is replaced only where we made it, which a file in it
-// tells. What killed programs left of theirs is removed. Errors name the folder. One thread at a time.
+// under a temporary name. What stands in its place is replaced only where we made all of it: a list in it,
+// ".ghostlight", tells its kind and its files. What killed programs left of theirs is removed. Errors name
+// the folder. One thread at a time.
 
 #include "base/result.h"
 
@@ -13,9 +14,9 @@ namespace ghost {
 
 class WholeFolder {
 public:
-    // marker: name of a file that every such folder has. Error: something else stands there, or the folder
-    // around it is not there or cannot be written.
-    static Result<WholeFolder> open(const std::filesystem::path& folder, const std::string& marker);
+    // kind: "cue book". Error: something else stands there, or one of that kind with files of somebody else,
+    // or the folder around it is not there or cannot be written.
+    static Result<WholeFolder> open(const std::filesystem::path& folder, const std::string& kind);
 
     WholeFolder(WholeFolder&& other) noexcept;
     WholeFolder& operator=(WholeFolder&&) = delete;
@@ -26,11 +27,12 @@ public:
     Result<void> commit();
 
 private:
-    WholeFolder(std::filesystem::path folder, std::filesystem::path temporary)
-        : folder_(std::move(folder)), temporary_(std::move(temporary)) {}
+    WholeFolder(std::filesystem::path folder, std::filesystem::path temporary, std::string kind)
+        : folder_(std::move(folder)), temporary_(std::move(temporary)), kind_(std::move(kind)) {}
 
     std::filesystem::path folder_;
     std::filesystem::path temporary_; // empty: it is in its place
+    std::string kind_;
 };
 
 } // namespace ghost

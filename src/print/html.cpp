@@ -25,13 +25,14 @@ img{display:block;width:100%;height:auto;background:#000}figcaption{color:#555;f
 .wide figure{max-width:none;flex-basis:100%}.chosen{display:flex;flex-wrap:wrap;gap:1rem;margin:.6rem 0}
 .chosen label{min-width:0;max-width:100%}.chosen select{font:inherit;min-height:44px;max-width:100%}video{display:block;width:100%;height:auto;background:#000}
 .slide{position:relative}.slide .old{position:absolute;inset:0}.slide+input{width:100%;height:44px;margin:0}
+button{font:inherit;color:inherit;background:none;border:1px solid;border-radius:4px;min-height:44px;padding:0 1em}button[aria-pressed=true]{border-width:3px}
 .table{overflow-x:auto;margin:.4rem 0 1rem}table{border-collapse:collapse;width:100%;font-size:.85rem}thead{display:table-header-group}
 th,td{border:1px solid #999;padding:.15rem .4rem;text-align:left;vertical-align:top;overflow-wrap:break-word}
 th{background:#eee;white-space:nowrap}td{max-width:16rem}.w{white-space:nowrap}
 .n{text-align:right;font-variant-numeric:tabular-nums;white-space:nowrap}.free td{background:#f3f7f0;color:#3b5b22}
 section{margin:1.2rem 0}
 @media print{body{font-size:9.5pt;margin:0;max-width:none;padding:0}.table{overflow:visible}table{font-size:7.5pt}td{max-width:8rem}nav{display:none}section+section{break-before:page}
-tr{break-inside:avoid}.slide .old,.slide+input{display:none}figure{flex-basis:0;max-width:47%}
+tr{break-inside:avoid}.slide .old,.slide+input,button{display:none}figure{flex-basis:0;max-width:47%}
 .grid{grid-template-columns:repeat(3,1fr)}.grid figure{max-width:none}.grid .entry{padding:2mm 0;min-height:54mm}
 .pencil{display:block;border-bottom:1px solid #999;height:1.6em}}
 )";

@@ -28,7 +28,7 @@ TEST(WholeFolder, is_there_when_it_is_committed) {
     const TestFolder home;
     const fs::path out = home.path / "book";
     {
-        WholeFolder folder = must(WholeFolder::open(out.string() + "/", "book.json"));
+        WholeFolder folder = must(WholeFolder::open(out.string() + "/", "cue book"));
         ASSERT_TRUE(folder.make_folder("pictures/small").ok());
         write(folder.written_to() / "book.json", "1");
         EXPECT_FALSE(fs::exists(out));
@@ -39,36 +39,60 @@ TEST(WholeFolder, is_there_when_it_is_committed) {
     EXPECT_EQ(entries_of(home.path), 1u);
 }
 
+void make(const fs::path& out, const std::string& kind, const std::string& text) {
+    WholeFolder folder = must(WholeFolder::open(out, kind));
+    ASSERT_TRUE(folder.make_folder("pictures").ok());
+    write(folder.written_to() / "book.json", text);
+    write(folder.written_to() / "pictures/1.png", text);
+    ASSERT_TRUE(folder.commit().ok());
+}
+
 TEST(WholeFolder, replaces_one_of_its_own_and_nothing_else) {
     const TestFolder home;
     const fs::path out = home.path / "book";
-    fs::create_directory(out);
-    write(out / "holiday.jpg", "x");
-    const auto foreign = WholeFolder::open(out, "book.json");
-    ASSERT_FALSE(foreign.ok());
-    EXPECT_NE(foreign.error().what.find("book.json"), std::string::npos);
-    write(out / "book.json", "1");
-    {
-        WholeFolder folder = must(WholeFolder::open(out, "book.json"));
-        write(folder.written_to() / "book.json", "2");
-        ASSERT_TRUE(folder.commit().ok());
-    }
+    make(out, "cue book", "1");
+    make(out, "cue book", "2");
     EXPECT_EQ(must(read_text_file(out / "book.json", 10)), "2");
-    EXPECT_FALSE(fs::exists(out / "holiday.jpg"));
+    EXPECT_EQ(must(read_text_file(out / ".ghostlight", 100)),
+              "Ghostlight cue book\nbook.json\npictures/1.png\n");
     EXPECT_EQ(entries_of(home.path), 1u);
+    EXPECT_FALSE(WholeFolder::open(out, "tour").ok()) << "another kind";
+    for (const char* own : {"thesis.txt", "pictures/holiday.jpg"}) {
+        write(out / own, "x");
+        const auto refused = WholeFolder::open(out, "cue book");
+        ASSERT_FALSE(refused.ok()) << own;
+        EXPECT_NE(refused.error().what.find(own), std::string::npos) << refused.error().what;
+        fs::remove(out / own);
+    }
+    fs::create_symlink("/etc/hosts", out / "link");
+    EXPECT_FALSE(WholeFolder::open(out, "cue book").ok());
     write(home.path / "file", "x");
-    EXPECT_FALSE(WholeFolder::open(home.path / "file", "book.json").ok());
-    EXPECT_FALSE(WholeFolder::open(home.path / "nowhere/book", "book.json").ok());
-    EXPECT_FALSE(WholeFolder::open("/", "book.json").ok());
+    EXPECT_FALSE(WholeFolder::open(home.path / "file", "cue book").ok());
+    EXPECT_FALSE(WholeFolder::open(home.path / "nowhere/book", "cue book").ok());
+    EXPECT_FALSE(WholeFolder::open("/", "cue book").ok());
+}
+
+TEST(WholeFolder, never_replaces_a_folder_with_a_file_of_the_same_name) {
+    const TestFolder home;
+    const fs::path out = home.path / "book";
+    fs::create_directory(out);
+    EXPECT_TRUE(WholeFolder::open(out, "cue book").ok()) << "an empty one is anybody's";
+    write(out / "book.json", "{}");
+    EXPECT_FALSE(WholeFolder::open(out, "cue book").ok());
+    for (const char* list :
+         {"", "Ghostlight tour\nbook.json\n", "Ghostlight cue book", "Ghostlight cue book\n"}) {
+        write(out / ".ghostlight", list);
+        EXPECT_FALSE(WholeFolder::open(out, "cue book").ok()) << list;
+    }
+    EXPECT_EQ(must(read_text_file(out / "book.json", 10)), "{}");
 }
 
 TEST(WholeFolder, leaves_what_was_there_when_it_is_given_up) {
     const TestFolder home;
     const fs::path out = home.path / "book";
-    fs::create_directory(out);
-    write(out / "book.json", "1");
+    make(out, "cue book", "1");
     {
-        const WholeFolder folder = must(WholeFolder::open(out, "book.json"));
+        const WholeFolder folder = must(WholeFolder::open(out, "cue book"));
         write(folder.written_to() / "book.json", "2");
     }
     EXPECT_EQ(must(read_text_file(out / "book.json", 10)), "1");
@@ -79,7 +103,7 @@ TEST(WholeFolder, takes_away_what_a_killed_program_left) {
     const TestFolder home;
     fs::create_directories(home.path / ".book.part999999999_1/pictures");
     fs::create_directories(home.path / ".other.part999999999_1");
-    const WholeFolder folder = must(WholeFolder::open(home.path / "book", "book.json"));
+    const WholeFolder folder = must(WholeFolder::open(home.path / "book", "cue book"));
     EXPECT_FALSE(fs::exists(home.path / ".book.part999999999_1"));
     EXPECT_TRUE(fs::exists(home.path / ".other.part999999999_1"));
 }

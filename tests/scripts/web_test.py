@@ -176,6 +176,10 @@ class Web(unittest.TestCase):
             page.value("document.querySelector('input[type=range]').focus()")
             page.key("ArrowRight")
             page.until("document.querySelector('.slide .old').style.clipPath.includes('49%')")
+            page.value("document.querySelector('.slide + input + button').click()")
+            for share in ("100%", "0px 0%", "100%"):  # by turns
+                page.until(f"document.querySelector('.slide .old').style.clipPath.includes('{share}')")
+            page.value("document.querySelector('.slide + input + button').click()")
             self.assertFalse(page.value("document.documentElement.scrollWidth > innerWidth"), name)
             self.assertEqual(page.nameless(), [])
             self.assertEqual(page.value(LOW_CONTRAST), [])
@@ -257,6 +261,14 @@ class Web(unittest.TestCase):
         page.value("document.querySelector('ghost-book input').focus()")
         page.key("ArrowRight")
         self.assertIn("49%", page.value("document.querySelector('ghost-book .old-one').style.clipPath"))
+        page.key("6")
+        page.until("!document.querySelector('ghost-state').hidden")
+        page.key("5")
+        page.until("!document.querySelector('ghost-book').hidden")
+        page.value("document.querySelector('ghost-book .slide + input + button').click()")
+        for share in ("0", "100", "0"):
+            page.until(f"document.querySelector('ghost-book .slide + input').value === '{share}'")
+        page.value("document.querySelector('ghost-book .slide + input + button').click()")
         for path in ("book/book.json", "book/pictures/0001-1.png"):
             self.assertEqual(page.value(f"fetch('/{path}').then(answer => answer.status)"), 401)
         self.assertEqual(page.value("document.querySelectorAll('ghost-book b').length"), 0)

@@ -1,8 +1,10 @@
 #pragma once
 // SPDX-License-Identifier: Apache-2.0
-// A slider that uncovers one picture below another; it takes the arrow keys. Pure.
+// A slider that uncovers one picture below another; it takes the arrow keys. A button shows both by turns,
+// each half a second. Pure.
 
 #include "book/book.h"
+#include "print/print_style.h"
 
 #include <string>
 
@@ -16,7 +18,7 @@ struct SlidPicture {
 
 // size: attributes of the images, " width=..". label: what a reader of screens says of it.
 std::string slider_html(const SlidPicture& covered, const SlidPicture& covering, const std::string& size,
-                        const std::string& label);
+                        const std::string& label, const PrintStyle& style);
 // " width=.. height=.." of its pictures.
 std::string size_of(const Book& book);
 // Once on each page that has sliders.

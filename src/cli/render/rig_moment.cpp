@@ -27,10 +27,16 @@ Result<scene::PlannedEntry> cue_of(const scene::Show& show, const std::vector<sc
     return *found;
 }
 
-Result<dmx::Universes> levels_at(const scene::Show& show, double at_s, bool quiet) {
+struct Recorded {
+    dmx::Universes levels;
+    bool is_behind = false; // the recording ends before it
+};
+
+Result<Recorded> recorded_at(const scene::Show& show, double at_s, bool quiet) {
     TRY(dmx::Recording recording, dmx::open_recording(show.recording, {}, quiet));
     dmx::Player player(std::move(recording));
-    return dmx::Universes(player.at(at_s));
+    const bool is_behind = at_s > player.duration_s();
+    return Recorded{dmx::Universes(player.at(at_s)), is_behind};
 }
 
 } // namespace
@@ -41,7 +47,7 @@ Result<RigMoment> moment_of(const scene::Show& show, const RigMomentOptions& opt
     moment.said = style("As they are when nothing is sent.");
     TRY(const std::vector<scene::StoredLook> looks, scene::load_looks(scene::looks_file(show), report));
     std::optional<std::size_t> look;
-    dmx::Universes levels;
+    Recorded recorded;
     std::optional<double> at_s = options.at_s;
     if (!options.cue.empty()) {
         TRY(const scene::PlannedEntry planned, cue_of(show, looks, options.cue, style));
@@ -49,7 +55,7 @@ Result<RigMoment> moment_of(const scene::Show& show, const RigMomentOptions& opt
         moment.said = style("As in cue '%1'.", {options.cue});
         if (!at_s) at_s = planned.entry.at_s;
         if (planned.entry.at_s && !show.recording.empty()) {
-            TRY(levels, levels_at(show, *planned.entry.at_s, options.quiet));
+            TRY(recorded, recorded_at(show, *planned.entry.at_s, options.quiet));
         }
         for (const std::string& sentence : planned.entry.unknown) moment.said += " " + sentence + ".";
     } else if (!options.look.empty()) {
@@ -58,13 +64,17 @@ Result<RigMoment> moment_of(const scene::Show& show, const RigMomentOptions& opt
     }
     if (options.at_s) {
         if (show.recording.empty()) return Error{"has no recording for --at", show.file.string()};
-        TRY(levels, levels_at(show, *options.at_s, options.quiet));
+        TRY(recorded, recorded_at(show, *options.at_s, options.quiet));
         moment.said = style("As the recording has it at %1 s.", {style.number(*options.at_s, 2)});
+    }
+    if (recorded.is_behind) {
+        moment.said.pop_back(); // its full stop
+        moment.said += "; " + style("the recording ends before it: this is its last look") + ".";
     }
     scene::Rig rig(show);
     if (look) rig.movers().drive(scene::movers_of(looks[*look], show));
     rig.set_time(at_s);
-    settle(rig, levels,
+    settle(rig, recorded.levels,
            look ? scene::programmer_of(looks[*look], show) : std::map<std::size_t, fixture::Programmer>{});
     moment.states = rig.states();
     moment.movers = rig.movers();

@@ -186,6 +186,11 @@ class Drawings(unittest.TestCase):
             self.assertTrue(4.8 < (int(feet) + int(inches) / 12) * 0.3048 < 5.8, row)
         self.assertIn("13'-1 1/2\" left", text_of(out / "focus.pdf"))  # Spot 1, 4 m
 
+    def test_a_moment_behind_the_recording_is_said(self):
+        code, text = run("paper", DEMO, "-o", WORK / "behind", "--focus", "--at", "1e6")
+        self.assertEqual(code, 0, text)
+        self.assertIn("the recording ends before it", text_of(WORK / "behind/focus.pdf"))
+
     def test_words_cover_no_words(self):
         crowd = show("crowd", "".join(fixture(f"Spot {k}", (-7.5 + k % 26 * 0.6, -1.5 + k // 26 * 0.7, 6), 1 + 22 * (k % 23), universe=1 + k // 23)
                                       for k in range(338)))
