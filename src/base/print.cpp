@@ -26,6 +26,11 @@ std::size_t character_at(std::string_view text, std::uint32_t& character) {
     return is_long || is_half || character > 0x10FFFF ? 0 : size;
 }
 
+// Turns the order of all letters behind it: U+202A to U+202E, U+2066 to U+2069.
+bool turns_order(std::uint32_t character) {
+    return (character >= 0x202A && character <= 0x202E) || (character >= 0x2066 && character <= 0x2069);
+}
+
 std::string shown(std::string_view text, bool keeps_lines) {
     std::string result;
     result.reserve(text.size());
@@ -33,7 +38,8 @@ std::string shown(std::string_view text, bool keeps_lines) {
         std::uint32_t character = 0;
         const std::size_t size = character_at(text, character);
         const bool is_line = keeps_lines && (character == '\n' || character == '\t');
-        const bool is_control = (character < 0x20 && !is_line) || (character >= 0x7F && character < 0xA0);
+        const bool is_control = (character < 0x20 && !is_line) || (character >= 0x7F && character < 0xA0) ||
+                                turns_order(character);
         if (size == 0) {
             result += kUnknown;
         } else if (is_control) {

@@ -1,7 +1,8 @@
 #pragma once
 // SPDX-License-Identifier: Apache-2.0
-// What reaches a terminal. Names come from files and networks: what a terminal would obey in them (escapes,
-// C0, DEL, C1) is shown instead, written as JSON does, so that this may be JSON, too. Any thread.
+// What reaches a terminal or a page. Names come from files and networks: what a terminal would obey in them
+// (escapes, C0, DEL, C1) and what turns the order of the letters behind them is shown instead, written as JSON
+// does, so that this may be JSON, too. Any thread.
 
 #include <string>
 #include <string_view>

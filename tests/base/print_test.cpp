@@ -11,6 +11,7 @@ namespace {
 TEST(Print, what_a_terminal_would_obey_is_shown) {
     EXPECT_EQ(printable("Spot 1\tä€🔦\n"), "Spot 1\tä€🔦\n");
     EXPECT_EQ(printable("\x1b]0;owned\x07"), "\\u001b]0;owned\\u0007");
+    EXPECT_EQ(printable("\u202eevil\u2066 \u05e9\u200f"), "\\u202eevil\\u2066 \u05e9\u200f");
     EXPECT_EQ(printable("a\r\x7f\x08"), "a\\u000d\\u007f\\u0008");
     EXPECT_EQ(printable("\xc2\x9b"
                         "31m"),

@@ -187,7 +187,7 @@ class Drawings(unittest.TestCase):
         self.assertIn("13'-1 1/2\" left", text_of(out / "focus.pdf"))  # Spot 1, 4 m
 
     def test_a_moment_behind_the_recording_is_said(self):
-        code, text = run("paper", DEMO, "-o", WORK / "behind", "--focus", "--at", "1e6")
+        code, text = run("paper", SOURCE / "assets/demo", "-o", WORK / "behind", "--focus", "--at", "1e6")
         self.assertEqual(code, 0, text)
         self.assertIn("the recording ends before it", text_of(WORK / "behind/focus.pdf"))
 
