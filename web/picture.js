@@ -17,6 +17,7 @@ const painter = new Painter((message) => {
     paintedMs: performance.now(),
     latencyMs: ageMs(message.getFloat64(8, true)) + message.getFloat32(16, true),
   };
+  if (Number.isFinite(newest.latencyMs)) now.latencyMs = newest.latencyMs;
 });
 const {canvas} = painter;
 
@@ -62,12 +63,14 @@ class Picture extends HTMLElement {
   }
 
   tell() {
-    const {camera, cue, source, at_s, recording_s, shining, lamps} = now.state;
+    const {camera, cue, source, at_s, recording_s, timecode, shining, lamps} = now.state;
     const parts = camera === undefined ? [] : [camera || "free camera"];
     if (cue) parts.push(`cue ${cue}`);
+    if (now.looks?.current) parts.push(`look ${now.looks.current}`);
     if (source === "desk") parts.push("from the desk");
     if (source === "recording") parts.push(`recording ${clock(at_s)} of ${clock(recording_s)}`);
     if (source === "none") parts.push("no levels");
+    if (timecode) parts.push(timecode);
     if (lamps !== undefined) parts.push(`${shining} of ${lamps} lamps shine`);
     this.facts.textContent = parts.join(" \u00b7 ");
     canvas.setAttribute("aria-label", `Picture: ${parts.join(", ")}`);

@@ -38,6 +38,9 @@ class State extends HTMLElement {
     ];
     if (state.source === "recording") facts.push(["Recording", `${clock(state.at_s)} of ${clock(state.recording_s)}`]);
     if (state.cue) facts.push(["Cue", state.cue]);
+    if (now.looks?.current) facts.push(["Look", now.looks.current]);
+    if (state.timecode) facts.push(["Time code", state.timecode]);
+    if (Number.isFinite(now.latencyMs)) facts.push(["From the desk to this screen", `${Math.round(now.latencyMs)} ms`]);
     if (state.work_light) facts.push(["Work light", "on"]);
     if (now.show?.device) facts.push(["Graphics device", now.show.device]);
     this.picture.replaceChildren(...facts.flatMap(([name, value]) => [make("dt", {}, name), make("dd", {}, value)]));

@@ -22,6 +22,7 @@ export const now = {
                      refusedView: "",
                      /** @type {{version: number, count: number, bytes: DataView} | null} */
                      levels: null,
+                     latencyMs: NaN,      // from the desk's packet to the screen, of the newest picture that has one
                      line: "connecting",  // what the connection is like, in words
                      isOpen: false,
 };

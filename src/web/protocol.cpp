@@ -199,6 +199,7 @@ std::string state_text(const StateNow& now) {
         state["source"] = now.rig->from_desk ? "desk" : now.rig->recording_s > 0 ? "recording" : "none";
         state["at_s"] = now.rig->at_s;
         state["recording_s"] = now.rig->recording_s;
+        if (!now.rig->timecode.empty()) state["timecode"] = now.rig->timecode;
         state["shining"] = shines;
         state["lamps"] = now.rig->fixtures.size();
         if (now.show && !now.rig->from_desk) state["cue"] = cue_at(*now.show, now.rig->at_s);

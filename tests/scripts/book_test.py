@@ -280,7 +280,7 @@ class Paper(unittest.TestCase):
         self.assertEqual(rows[-1]["name"], "free")
         self.assertEqual(sum(int(row["channels"]) for row in rows), 512)
         self.assertEqual({path.name for path in (WORK / "paper").iterdir()},
-                         {"index.html", "paper.pdf", *(name + ".csv" for name in ("instruments", "hookup", "patch", "universes", "gobos_colours", "types", "positions"))})
+                         {".ghostlight", "index.html", "paper.pdf", *(name + ".csv" for name in ("instruments", "hookup", "patch", "universes", "gobos_colours", "types", "positions"))})
         text = pdf_text(WORK / "paper/paper.pdf")
         pages = int(re.search(r"^Pages: +(\d+)", subprocess.run(["pdfinfo", WORK / "paper/paper.pdf"], capture_output=True, text=True, check=True).stdout, re.M).group(1))
         for part in ("Instrument schedule", "Patch by universe", "Wash 5", "free", f"page 1 of {pages}", f"page {pages} of {pages}"):
