@@ -22,6 +22,7 @@ Hanging hanging_of(const Plot& plot, const PlotObject& object) {
     if (device.unit_number && *device.unit_number > 0) hanging.unit = std::to_string(*device.unit_number);
     hanging.function = device.function;
     if (device.color) hanging.filter = colour_text(*device.color);
+    if (hanging.filter == "#ffffff") hanging.filter.clear(); // MVR's default: no filter
     if (device.gobo) hanging.gobo = device.gobo->file;
     if (device.focus >= 0) hanging.focus = plot.objects[static_cast<std::size_t>(device.focus)].name;
     return hanging;
@@ -31,6 +32,11 @@ Hanging hanging_of(const Plot& plot, const PlotObject& object) {
 
 std::vector<Hanging> hangings_of(const Show& show) {
     std::vector<Hanging> all(show.fixtures.size());
+    const auto name = [&](std::size_t i) {
+        all[i].number = show.fixtures[i].fixture_id;
+        all[i].name = show.fixtures[i].name;
+    };
+    for (std::size_t i = 0; i < all.size(); ++i) name(i);
     if (!show.plot) return all;
     const Plot& plot = show.plot->plot;
     std::map<std::string, std::size_t> objects;
@@ -39,7 +45,9 @@ std::vector<Hanging> hangings_of(const Show& show) {
     for (std::size_t i = 0; i < all.size(); ++i) {
         if (show.fixtures[i].uuid.empty()) continue;
         const auto found = objects.find(uuid_key(show.fixtures[i].uuid));
-        if (found != objects.end()) all[i] = hanging_of(plot, plot.objects[found->second]);
+        if (found == objects.end()) continue;
+        all[i] = hanging_of(plot, plot.objects[found->second]);
+        name(i);
     }
     return all;
 }
@@ -52,7 +60,10 @@ std::vector<std::size_t> in_hanging_order(const std::vector<Hanging>& hangings) 
         if (one.position.empty() != other.position.empty()) return other.position.empty();
         if (one.position != other.position) return natural_less(one.position, other.position);
         if (one.position.empty() && one.layer != other.layer) return natural_less(one.layer, other.layer);
-        return natural_less(one.unit, other.unit);
+        if (one.unit != other.unit) return natural_less(one.unit, other.unit);
+        if (one.number.empty() != other.number.empty()) return other.number.empty();
+        if (one.number != other.number) return natural_less(one.number, other.number);
+        return natural_less(one.name, other.name);
     });
     return order;
 }

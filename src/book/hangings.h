@@ -14,6 +14,8 @@ struct Show; // show/show.h
 struct Hanging {
     std::string position; // "Truss 1"
     std::string layer;
+    std::string number; // by which a desk calls it
+    std::string name;
     std::string unit; // number on that position
     std::string function;
     std::string filter; // a colour in the beam
@@ -21,9 +23,10 @@ struct Hanging {
     std::string focus; // name of the point that it is aimed at
 };
 
-// One for each fixture; empty where there is no plot.
+// One for each fixture; without a plot with number and name only.
 std::vector<Hanging> hangings_of(const Show& show);
-// Indices of the fixtures by hanging position and unit number; what hangs nowhere comes last, by layer.
+// Indices of the fixtures by hanging position and unit number, else by desk number and name; what hangs
+// nowhere comes last, by layer.
 std::vector<std::size_t> in_hanging_order(const std::vector<Hanging>& hangings);
 
 } // namespace ghost::scene

@@ -8,14 +8,22 @@
 #include <algorithm>
 #include <map>
 #include <numeric>
+#include <set>
+#include <tuple>
 
 namespace ghost::scene {
 namespace {
 
 std::string all_addresses(const PatchedFixture& fixture, const PrintStyle& style) {
     std::string text;
-    for (const fixture::Address& address : addresses_of(fixture))
-        text += (text.empty() ? "" : " + ") + said_address(style, address.universe, address.channel);
+    const std::vector<fixture::Address> addresses = addresses_of(fixture);
+    for (std::size_t part = 0; part < addresses.size(); ++part) {
+        // Plots name breaks that the mode does not have.
+        const bool is_used = part == 0 || addresses[part].channel > 0 || footprint_of(fixture, part) > 0;
+        if (is_used)
+            text += (text.empty() ? "" : " + ") +
+                    said_address(style, addresses[part].universe, addresses[part].channel);
+    }
     return text;
 }
 
@@ -97,7 +105,7 @@ PaperTable instruments_of(const Show& show, const PrintStyle& style) {
                      {"y" + m, true},
                      {"z" + m, true},
                      {style("function")},
-                     {style("filter")},
+                     {style("filter"), false, true},
                      {style("gobo")},
                      {style("focus point")},
                      {style("circuit")},
@@ -109,8 +117,6 @@ PaperTable instruments_of(const Show& show, const PrintStyle& style) {
     for (const std::size_t i : in_hanging_order(hangings)) {
         const PatchedFixture& fixture = show.fixtures[i];
         const Hanging& hanging = hangings[i];
-        const fixture::Properties properties =
-            fixture.type ? fixture.type->properties : fixture::Properties{};
         table.rows.push_back(
             {{hanging.position, hanging.unit, fixture.fixture_id, fixture.name, type_name(fixture),
               mode_name(fixture), all_addresses(fixture, style), channels_text(fixture),
@@ -118,8 +124,7 @@ PaperTable instruments_of(const Show& show, const PrintStyle& style) {
               style.length(static_cast<double>(fixture.position_m.y)),
               style.length(static_cast<double>(fixture.position_m.z)), hanging.function, hanging.filter,
               hanging.gobo, hanging.focus, fixture.circuit, hanging.layer,
-              said_weight(style, static_cast<double>(properties.weight_kg)),
-              said_power(style, power_w_of(fixture))}});
+              said_weight(style, weight_kg_of(fixture)), said_power(style, power_w_of(fixture))}});
         if (hanging.position.empty()) ++nowhere;
         if (!fixture.type) ++unread;
     }
@@ -173,15 +178,11 @@ PaperTable hookup_of(const Show& show, const PrintStyle& style) {
 }
 
 PaperTable types_of(const Show& show, const PrintStyle& style) {
-    struct Kind {
-        const PatchedFixture* first = nullptr;
-        std::size_t count = 0;
-    };
-    std::map<std::pair<std::string, std::string>, Kind> kinds;
+    // By names, and by what is said: two files of one name may differ.
+    std::map<std::tuple<std::string, std::string, double, double, std::string>, std::size_t> kinds;
     for (const PatchedFixture& fixture : show.fixtures) {
-        Kind& kind = kinds[{type_name(fixture), mode_name(fixture)}];
-        if (!kind.first) kind.first = &fixture;
-        ++kind.count;
+        ++kinds[{type_name(fixture), mode_name(fixture), weight_kg_of(fixture), power_w_of(fixture),
+                 channels_text(fixture)}];
     }
     PaperTable table{"types", style("Types, weight and power"), {}, {}, {}};
     const std::string kg = style.weight_unit();
@@ -195,20 +196,18 @@ PaperTable types_of(const Show& show, const PrintStyle& style) {
                      {style("%1 all", {"W"}), true}};
     double weight_kg = 0, power_w = 0;
     std::size_t weightless = 0, powerless = 0;
-    for (const auto& [names, kind] : kinds) {
-        const auto count = static_cast<double>(kind.count);
-        const fixture::Properties properties =
-            kind.first->type ? kind.first->type->properties : fixture::Properties{};
-        const auto each_kg = static_cast<double>(properties.weight_kg);
-        const double each_w = power_w_of(*kind.first);
-        table.rows.push_back({{names.first.empty() ? style("file not read") : names.first, names.second,
-                               std::to_string(kind.count), channels_text(*kind.first),
-                               said_weight(style, each_kg), said_weight(style, count * each_kg),
+    std::set<std::pair<std::string, std::string>> names;
+    for (const auto& [key, fixtures] : kinds) {
+        const auto& [name, mode, each_kg, each_w, channels] = key;
+        const auto count = static_cast<double>(fixtures);
+        names.emplace(name, mode);
+        table.rows.push_back({{name.empty() ? style("file not read") : name, mode, std::to_string(fixtures),
+                               channels, said_weight(style, each_kg), said_weight(style, count * each_kg),
                                said_power(style, each_w), said_power(style, count * each_w)}});
         weight_kg += count * each_kg;
         power_w += count * each_w;
-        if (!(each_kg > 0)) weightless += kind.count;
-        if (!(each_w > 0)) powerless += kind.count;
+        if (!(each_kg > 0)) weightless += fixtures;
+        if (!(each_w > 0)) powerless += fixtures;
     }
     const auto total = [&](const std::string& what, const std::string& sum, std::size_t unsaid) {
         if (unsaid == show.fixtures.size())
@@ -219,6 +218,8 @@ PaperTable types_of(const Show& show, const PrintStyle& style) {
         else
             table.unknown.push_back(style("%1 of the fixtures: %2.", {what, sum}));
     };
+    if (names.size() < kinds.size())
+        table.unknown.push_back(style("Rows of one name are of fixture files that say different things."));
     if (!show.fixtures.empty()) {
         total(style("Weight"), style.weight(weight_kg) + " " + kg, weightless);
         total(style("Power"), style.number(power_w, 1) + " W", powerless);

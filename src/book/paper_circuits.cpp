@@ -78,7 +78,7 @@ void say_unknown(PaperTable& table, const Show& show, const PrintStyle& style, s
                                       "taken.",
                                       {std::to_string(factorless)}));
     if (const auto none = loads.find(""); none != loads.end())
-        table.unknown.push_back(style("On no circuit: %1.", {names_of(show, style, none->second.fixtures)}));
+        table.unknown.push_back(style("On no circuit: %1.", {names_of(show, none->second.fixtures)}));
 }
 
 } // namespace
@@ -89,10 +89,10 @@ double power_w_of(const PatchedFixture& fixture) {
     return static_cast<double>(fixture::power_w_of(*fixture.type, fixture.patch().mode_of()));
 }
 
-std::string names_of(const Show& show, const PrintStyle& style, const std::vector<std::size_t>& fixtures) {
+std::string names_of(const Show& show, const std::vector<std::size_t>& fixtures) {
     std::vector<std::string> names;
     for (const std::size_t i : fixtures) names.push_back(show.fixtures[i].name);
-    return names_text(names, style);
+    return all_names_text(names);
 }
 
 bool names_circuits(const Show& show) {
@@ -134,7 +134,7 @@ PaperTable plugs_of(const Show& show, const PrintStyle& style) {
     drop_empty_columns(table);
     if (!unsaid.empty())
         table.unknown.push_back(
-            style("Not in it, for nobody says their plugs: %1.", {names_of(show, style, unsaid)}));
+            style("Not in it, for nobody says their plugs: %1.", {names_of(show, unsaid)}));
     return table;
 }
 
@@ -157,7 +157,7 @@ PaperTable circuits_of(const Show& show, const PrintStyle& style) {
             too_much.push_back(style("%1 (%2 A of %3 A)", {circuit.name, style.number(current_a, 1),
                                                            style.number(circuit.breaker_a, 1)}));
         table.rows.push_back({{circuit.name, circuit.phase, std::to_string(load.fixtures.size()),
-                               names_of(show, style, load.fixtures), said_number(style, load.power_w, 0),
+                               names_of(show, load.fixtures), said_number(style, load.power_w, 0),
                                count_text(load.powerless), said_number(style, circuit.voltage_v, 0),
                                said_number(style, current_a, 1), said_number(style, circuit.breaker_a, 1)}});
     }

@@ -7,18 +7,20 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 
 namespace ghost::scene {
 namespace {
 
 constexpr int kSlots = static_cast<int>(dmx::kSlots);
 
-// Channels of one universe that a fixture reads.
+// Channels of one universe that a fixture or an axis of a machine reads.
 struct Segment {
     int from = 1; // 1..512
     int to = 1;
-    std::size_t fixture = 0;
-    std::string what;     // "", "break 2", "track", "goes on"
+    const PatchedFixture* fixture = nullptr; // nullptr: a machine's
+    std::string name;
+    std::string what;     // "", "break 2", "track", "axis left", "goes on"
     bool is_whole = true; // false: its footprint is not known
 };
 
@@ -40,23 +42,41 @@ void add(Segments& all, const PrintStyle& style, const fixture::Address& address
     }
 }
 
+void add_fixture(Segments& all, const PrintStyle& style, const PatchedFixture& fixture) {
+    const auto segment = [&](const std::string& what) {
+        return Segment{.fixture = &fixture, .name = fixture.name, .what = what};
+    };
+    const std::vector<fixture::Address> addresses = addresses_of(fixture);
+    for (std::size_t part = 0; part < addresses.size(); ++part) {
+        const fixture::Address& address = addresses[part];
+        if (address.channel < 1 || address.channel > kSlots || address.universe < 1) continue;
+        const int count = footprint_of(fixture, part);
+        if (fixture.type && count == 0) continue; // its mode has no channels there
+        add(all, style, address, count,
+            segment(part > 0 ? style("break %1", {std::to_string(part + 1)}) : ""));
+    }
+    if (fixture.track && fixture.track->address > 0)
+        add(all, style, {fixture.track->universe, fixture.track->address}, 2, segment(style("track")));
+    const auto add_select = [&](const auto& pictures) {
+        if (pictures && pictures->address > 0)
+            add(all, style, {pictures->universe, pictures->address}, 1, segment(style("chooses the medium")));
+    };
+    add_select(fixture.projector);
+    add_select(fixture.wall);
+}
+
+// The channels of an axis that a fixture drives are the fixture's.
+void add_mover(Segments& all, const PrintStyle& style, const Mover& mover) {
+    for (const MoverAxis& axis : mover.axes)
+        if (axis.fixture.empty() && !axis.levels.empty())
+            add(all, style, axis.levels.front(), static_cast<int>(axis.levels.size()),
+                {.name = mover.name, .what = style("axis %1", {axis.name})});
+}
+
 Segments segments_of(const Show& show, const PrintStyle& style) {
     Segments all;
-    for (std::size_t i = 0; i < show.fixtures.size(); ++i) {
-        const PatchedFixture& fixture = show.fixtures[i];
-        const std::vector<fixture::Address> addresses = addresses_of(fixture);
-        for (std::size_t part = 0; part < addresses.size(); ++part) {
-            const fixture::Address& address = addresses[part];
-            if (address.channel < 1 || address.channel > kSlots || address.universe < 1) continue;
-            const int count = footprint_of(fixture, part);
-            if (fixture.type && count == 0) continue; // its mode has no channels there
-            add(all, style, address, count,
-                {.fixture = i, .what = part > 0 ? style("break %1", {std::to_string(part + 1)}) : ""});
-        }
-        if (fixture.track && fixture.track->address > 0)
-            add(all, style, {fixture.track->universe, fixture.track->address}, 2,
-                {.fixture = i, .what = style("track")});
-    }
+    for (const PatchedFixture& fixture : show.fixtures) add_fixture(all, style, fixture);
+    for (const Mover& mover : show.movers) add_mover(all, style, mover);
     for (auto& [universe, segments] : all)
         std::stable_sort(segments.begin(), segments.end(),
                          [](const Segment& a, const Segment& b) { return a.from < b.from; });
@@ -99,30 +119,29 @@ PaperTable patch_of(const Show& show, const PrintStyle& style) {
         const std::vector<Gap> gaps = gaps_of(segments);
         std::size_t gap = 0;
         const Segment* before = nullptr; // that reaches farthest
-        bool is_certain = true;          // whether what is free is
+        // Whether what is free is: a fixture of unknown length may reach to the universe's end.
+        bool is_certain = true;
         const auto put_gaps = [&](int until) {
             for (; gap < gaps.size() && gaps[gap].from < until; ++gap)
                 table.rows.push_back(free_row(style, universe, gaps[gap], is_certain));
         };
         for (const Segment& segment : segments) {
             put_gaps(segment.from);
-            const PatchedFixture& fixture = show.fixtures[segment.fixture];
+            const PatchedFixture none, &fixture = segment.fixture ? *segment.fixture : none;
             std::string remarks = segment.what;
             const auto remark = [&](const std::string& what) {
                 remarks += (remarks.empty() ? "" : ", ") + what;
             };
             if (before && segment.from <= before->to)
-                remark(style("shares channels with %1", {show.fixtures[before->fixture].name}));
+                remark(style("shares channels with %1", {before->name}));
             if (!segment.is_whole) remark(style("how many channels is not known"));
             table.rows.push_back(
                 {{std::to_string(universe), std::to_string(segment.from),
                   segment.is_whole ? std::to_string(segment.to) : "",
-                  segment.is_whole ? std::to_string(segment.to - segment.from + 1) : "", fixture.name,
+                  segment.is_whole ? std::to_string(segment.to - segment.from + 1) : "", segment.name,
                   fixture.fixture_id, type_name(fixture), mode_name(fixture), remarks}});
-            if (!before || segment.to > before->to) {
-                before = &segment;
-                is_certain = segment.is_whole;
-            }
+            is_certain = is_certain && segment.is_whole;
+            if (!before || segment.to > before->to) before = &segment;
         }
         put_gaps(kSlots + 1);
     }
@@ -149,13 +168,11 @@ PaperTable universes_of(const Show& show, const PrintStyle& style) {
             free += gap.count();
             largest = std::max(largest, gap.count());
         }
-        std::vector<std::size_t> fixtures;
+        std::set<const PatchedFixture*> fixtures;
         for (const Segment& segment : segments) {
             last = std::max(last, segment.to);
-            fixtures.push_back(segment.fixture);
+            if (segment.fixture) fixtures.insert(segment.fixture);
         }
-        std::sort(fixtures.begin(), fixtures.end());
-        fixtures.erase(std::unique(fixtures.begin(), fixtures.end()), fixtures.end());
         if (std::any_of(segments.begin(), segments.end(), [](const Segment& one) { return !one.is_whole; }))
             table.unknown.push_back(
                 style("Universe %1: less may be free, for a fixture's channels are not known.",

@@ -1,18 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "book/pdf.h"
 
+#include "book/private/paper_widths.h"
 #include "print/pdf_writer.h"
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 namespace ghost::scene {
 namespace {
 
 constexpr double kTableMargin_pt = 34, kRow_pt = 11.5, kPad_pt = 3;
-constexpr double kTop_pt = kTableMargin_pt + 4, kSentence_pt = 4 * kRow_pt, kSentenceGap_pt = 2;
+constexpr double kTop_pt = kTableMargin_pt + 4, kSentence_pt = 10 * kRow_pt, kSentenceGap_pt = 2;
 constexpr double kLeastColumn_pt = 22, kWidestColumn_pt = 190;
-constexpr std::size_t kMeasuredRows = 400; // evenly spread over the table: enough to share out a page
+constexpr std::size_t kMeasuredCells = 400; // of a column: a text is slow to measure
 constexpr double kFreeGrey = 0.92, kHeadGrey = 0.85;
 
 constexpr PdfText kCell{.size_pt = 7.5};
@@ -103,20 +105,15 @@ private:
         y_ = kTop_pt;
     }
 
-    // What each column wants, shrunk to the page where that is more than it has.
     std::vector<double> widths_of(const PaperTable& table) {
         std::vector<double> widths;
-        const std::size_t step = std::max<std::size_t>(1, table.rows.size() / kMeasuredRows);
         for (std::size_t k = 0; k < table.columns.size(); ++k) {
             double width = pdf_.width_of(table.columns[k].title, kColumnHead);
-            for (std::size_t row = 0; row < table.rows.size(); row += step)
-                width = std::max(width, pdf_.width_of(table.rows[row].cells[k], kCell));
+            for (const std::string* cell : longest_cells(table, k, kMeasuredCells))
+                width = std::max(width, pdf_.width_of(*cell, kCell));
             widths.push_back(std::clamp(width, kLeastColumn_pt, kWidestColumn_pt) + 2 * kPad_pt);
         }
-        const double all = std::accumulate(widths.begin(), widths.end(), 0.0);
-        if (all > width_)
-            for (double& width : widths) width *= width_ / all;
-        return widths;
+        return shared_widths(table.columns, std::move(widths), width_, kLeastColumn_pt + 2 * kPad_pt);
     }
 
     void draw_row(const PaperTable& table, const std::vector<double>& widths,

@@ -19,11 +19,7 @@ struct Load {
     double weight_kg = 0, power_w = 0;
 };
 
-double weight_of(const PatchedFixture& fixture) {
-    return fixture.type ? std::max(0.0, static_cast<double>(fixture.type->properties.weight_kg)) : 0.0;
-}
-
-// Neighbours on one fuse.
+// What follows each other in the schedule, on one fuse.
 struct ProposedCircuit {
     std::string position;
     std::vector<std::size_t> fixtures;
@@ -64,6 +60,10 @@ std::array<double, 3> share_out(std::vector<ProposedCircuit>& circuits) {
 
 } // namespace
 
+double weight_kg_of(const PatchedFixture& fixture) {
+    return fixture.type ? std::max(0.0, static_cast<double>(fixture.type->properties.weight_kg)) : 0.0;
+}
+
 PaperTable positions_of(const Show& show, const PrintStyle& style) {
     PaperTable table{"positions", style("Weight and power by hanging position"), {}, {}, {}};
     const std::string kg = style.weight_unit();
@@ -76,7 +76,7 @@ PaperTable positions_of(const Show& show, const PrintStyle& style) {
         if (loads.empty() || loads.back().first != hangings[i].position)
             loads.emplace_back(hangings[i].position, Load{});
         Load& load = loads.back().second;
-        const double weight_kg = weight_of(show.fixtures[i]), power_w = power_w_of(show.fixtures[i]);
+        const double weight_kg = weight_kg_of(show.fixtures[i]), power_w = power_w_of(show.fixtures[i]);
         ++load.fixtures;
         load.weight_kg += weight_kg;
         load.power_w += power_w;
@@ -126,10 +126,11 @@ PaperTable phases_proposed(const Show& show, const PrintStyle& style, std::optio
     const std::array<double, 3> phases_w = share_out(circuits);
     table.unknown.push_back(
         style("A PROPOSAL, made by this program: neither the plot nor the show says phases or circuits."));
-    table.unknown.push_back(style("Circuits of at most %1 W, neighbours of a hanging position together; the "
-                                  "heaviest circuit goes to the "
-                                  "phase with the least. Check it before anything is plugged.",
-                                  {style.number(circuit_w, 0)}));
+    table.unknown.push_back(
+        style("Circuits of at most %1 W, of one hanging position each, in the order of the "
+              "instrument schedule; the heaviest circuit goes to the "
+              "phase with the least. Check it before anything is plugged.",
+              {style.number(circuit_w, 0)}));
     if (!asked_w)
         table.unknown.push_back(
             style("%1 A at %2 V, for nobody names a circuit; --circuit names other watts.",
@@ -141,9 +142,8 @@ PaperTable phases_proposed(const Show& show, const PrintStyle& style, std::optio
         for (const ProposedCircuit& circuit : circuits)
             if (circuit.phase == phase)
                 table.rows.push_back(
-                    {{name, std::to_string(++number), circuit.position,
-                      names_of(show, style, circuit.fixtures), std::to_string(circuit.fixtures.size()),
-                      style.number(circuit.power_w, 0)}});
+                    {{name, std::to_string(++number), circuit.position, names_of(show, circuit.fixtures),
+                      std::to_string(circuit.fixtures.size()), style.number(circuit.power_w, 0)}});
     }
     std::vector<std::size_t> unsaid, too_much;
     for (std::size_t i = 0; i < show.fixtures.size(); ++i) {
@@ -152,10 +152,10 @@ PaperTable phases_proposed(const Show& show, const PrintStyle& style, std::optio
     }
     if (!unsaid.empty())
         table.unknown.push_back(
-            style("Not in it, for nobody says their power: %1.", {names_of(show, style, unsaid)}));
+            style("Not in it, for nobody says their power: %1.", {names_of(show, unsaid)}));
     if (!too_much.empty())
-        table.unknown.push_back(style("Above %1 W by itself: %2.",
-                                      {style.number(circuit_w, 0), names_of(show, style, too_much)}));
+        table.unknown.push_back(
+            style("Above %1 W by itself: %2.", {style.number(circuit_w, 0), names_of(show, too_much)}));
     drop_empty_columns(table);
     return table;
 }

@@ -68,18 +68,35 @@ std::size_t digits_at_end(const std::string& name) {
     return digits;
 }
 
-std::string names_text(const std::vector<std::string>& names, const PrintStyle& style) {
+namespace {
+
+struct SaidNames {
+    std::string text;
+    std::size_t left = 0; // not said
+};
+
+SaidNames say_names(const std::vector<std::string>& names, std::size_t most) {
     std::string text;
     std::size_t pieces = 0, first = 0;
-    for (; first < names.size() && pieces < kMostPieces; ++pieces) {
+    for (; first < names.size() && pieces < most; ++pieces) {
         std::size_t last = first;
         while (last + 1 < names.size() && counts_on(names[last], names[last + 1])) ++last;
         text += (pieces > 0 ? ", " : "") + names[first];
         if (last > first) text += "-" + names[last].substr(names[last].size() - digits_at_end(names[last]));
         first = last + 1;
     }
-    if (first < names.size()) text = style("%1 and %2 more", {text, std::to_string(names.size() - first)});
-    return text;
+    return {text, names.size() - first};
+}
+
+} // namespace
+
+std::string names_text(const std::vector<std::string>& names, const PrintStyle& style) {
+    const SaidNames said = say_names(names, kMostPieces);
+    return said.left > 0 ? style("%1 and %2 more", {said.text, std::to_string(said.left)}) : said.text;
+}
+
+std::string all_names_text(const std::vector<std::string>& names) {
+    return say_names(names, names.size()).text;
 }
 
 bool natural_less(const std::string& a, const std::string& b) {

@@ -18,6 +18,9 @@ std::string with_whole_quantities(const std::string& text);
 // "Spot 1-8, Wash 3 and 5 more": names that count on are one piece. In the order they come.
 std::string names_text(const std::vector<std::string>& names, const PrintStyle& style = {});
 
+// As names_text, without a limit: for tables that people work by.
+std::string all_names_text(const std::vector<std::string>& names);
+
 // Bytes at the end of a name that are digits, at most 9.
 std::size_t digits_at_end(const std::string& name);
 

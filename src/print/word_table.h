@@ -68,6 +68,8 @@ inline constexpr Translation kWords[] = {
     {"prism", "Prisma"},
     {"open", "offen"},
     {"track", "Fahrweg"},
+    {"axis %1", "Achse %1"},
+    {"chooses the medium", "wählt das Medium"},
     {"break %1", "Break %1"},
     {"goes on", "geht weiter"},
     {"shares channels with %1", "teilt Kanäle mit %1"},
@@ -109,10 +111,12 @@ inline constexpr Translation kWords[] = {
     {"circuit", "Stromkreis"},
     {"A PROPOSAL, made by this program: neither the plot nor the show says phases or circuits.",
      "EIN VORSCHLAG dieses Programms: weder Plan noch Show nennen Phasen oder Stromkreise."},
-    {"Circuits of at most %1 W, neighbours of a hanging position together; the heaviest circuit goes to the "
-     "phase with the least. Check it before anything is plugged.",
-     "Stromkreise bis %1 W, Nachbarn einer Hängeposition zusammen; der schwerste Kreis kommt auf die Phase "
-     "mit der kleinsten Last. Vor dem Stecken prüfen."},
+    {"Circuits of at most %1 W, of one hanging position each, in the order of the instrument schedule; the "
+     "heaviest circuit goes to the phase with the least. Check it before anything is plugged.",
+     "Stromkreise bis %1 W, jeder von einer Hängeposition, in der Reihenfolge der Geräteliste; der schwerste "
+     "Kreis kommt auf die Phase mit der kleinsten Last. Vor dem Stecken prüfen."},
+    {"Rows of one name are of fixture files that say different things.",
+     "Zeilen mit gleichem Namen sind von Gerätedateien, die Verschiedenes sagen."},
     {"%1 A at %2 V, for nobody names a circuit; --circuit names other watts.",
      "%1 A bei %2 V, denn niemand nennt einen Stromkreis; --circuit nennt andere Watt."},
     {"Phase %1: %2 W.", "Phase %1: %2 W."},

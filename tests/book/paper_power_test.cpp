@@ -67,6 +67,7 @@ TEST(Phases, are_a_proposal_of_circuits_that_hold) {
     ASSERT_EQ(phases.rows.size(), 3u); // two on a circuit, none over two positions
     EXPECT_EQ(phases.rows[0].cells, (Row{"L1", "1", "Truss 1", "Spot 1-2", "2", "2000"}));
     EXPECT_EQ(phases.rows[2].cells, (Row{"L3", "1", "Truss 2", "Spot 5-6", "2", "2000"}));
+    EXPECT_NE(phases.unknown.at(1).find("in the order of the instrument schedule"), std::string::npos);
     EXPECT_EQ(phases.unknown.at(2), "Phase L1: 2000 W.");
     EXPECT_EQ(phases.unknown.back(), "Not in it, for nobody says their power: Spot 7.");
     const Paper small = paper_of(rig(), {}, 500);
@@ -136,6 +137,19 @@ TEST(Circuits, add_up_what_the_show_plugs_into_them) {
     EXPECT_EQ(table_named(less, "circuits").unknown.at(1),
               "Amperes are not known of circuits without a voltage: A.");
     EXPECT_EQ(table_named(less, "phases").rows.at(0).cells.back(), "") << "not half a sum";
+}
+
+TEST(Circuits, name_all_that_is_on_them) {
+    Show show;
+    for (int i = 0; i < 30; ++i) {
+        PatchedFixture& fixture = show.fixtures.emplace_back();
+        fixture.name = "Spot " + std::to_string(100 - 3 * i); // none counts on
+        if (i < 15) fixture.circuit = "A";
+    }
+    const Paper paper = paper_of(show);
+    const PaperTable& circuits = table_named(paper, "circuits");
+    EXPECT_TRUE(circuits.rows.at(0).cells.at(2).ends_with("Spot 58")) << circuits.rows[0].cells[2];
+    EXPECT_TRUE(circuits.unknown.back().ends_with("Spot 13.")) << circuits.unknown.back();
 }
 
 TEST(Cables, are_those_of_the_plot) {

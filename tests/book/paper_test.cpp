@@ -3,6 +3,7 @@
 #include "book/paper.h"
 
 #include "book/paper_pages.h"
+#include "book/private/paper_widths.h"
 #include "print/quantities.h"
 #include "show/show.h"
 #include "support/must.h"
@@ -90,6 +91,73 @@ TEST(Patch, says_what_is_shared_runs_on_or_is_not_known) {
     EXPECT_EQ(patch.unknown, (Cells{"Not patched: e."}));
 }
 
+TEST(Patch, has_the_channels_of_machines_and_of_what_chooses_media) {
+    Show show;
+    show.fixtures = {hung("beamer", 1, 0), hung("wall", 1, 0)};
+    show.fixtures[0].projector = Projector{.universe = 1, .address = 301};
+    show.fixtures[1].wall = LedWall{.universe = 1, .address = 302};
+    Mover truss{.name = "Front truss"};
+    truss.axes.push_back({.name = "left", .levels = {{1, 186}, {1, 187}}});
+    truss.axes.push_back({.name = "right", .levels = {{1, 188}, {1, 189}}});
+    truss.axes.push_back({.name = "of a lamp", .levels = {{2, 1}}, .fixture = "beamer", .attribute = "Z"});
+    show.movers = {truss};
+    const PaperTable patch = table(paper_of(show), "patch");
+    EXPECT_EQ(column(patch, "name"),
+              (Cells{"free", "Front truss", "Front truss", "free", "beamer", "wall", "free"}));
+    EXPECT_EQ(column(patch, "to"), (Cells{"185", "187", "189", "300", "301", "302", "512"}));
+    const Cells remarks = column(patch, "remarks");
+    EXPECT_EQ(remarks[1], "axis left");
+    EXPECT_EQ(remarks[4], "chooses the medium");
+    EXPECT_EQ(remarks[5], "chooses the medium");
+    const PaperTable universes = table(paper_of(show), "universes");
+    EXPECT_EQ(column(universes, "free"), (Cells{"506"}));
+    EXPECT_EQ(column(universes, "fixtures"), (Cells{"2"})) << "machines are none";
+}
+
+TEST(Patch, is_not_certain_behind_a_fixture_of_unknown_length) {
+    Show show;
+    show.fixtures = {hung("missing", 1, 1), hung("known", 1, 30)};
+    show.fixtures[0].type = nullptr;
+    EXPECT_EQ(column(table(paper_of(show), "patch"), "name"),
+              (Cells{"missing", "free at most", "known", "free at most"}));
+}
+
+TEST(Instruments, leave_out_breaks_that_their_mode_does_not_have) {
+    Show show;
+    show.fixtures = {hung("a", 1, 1), hung("b", 1, 0), hung("c", 1, 4)};
+    show.fixtures[0].more_addresses = {{1, 0}, {1, 0}};
+    show.fixtures[2].more_addresses = {{1, 0}, {2, 5}};
+    EXPECT_EQ(column(table(paper_of(show), "instruments"), "address"),
+              (Cells{"1.1", "not patched", "1.4 + 2.5"}));
+}
+
+TEST(Instruments, without_unit_numbers_are_sorted_by_desk_number_then_name) {
+    Show show;
+    show.fixtures = {hung("z", 1, 1), hung("y", 1, 4), hung("x 10", 1, 7), hung("x 2", 1, 10)};
+    show.fixtures[0].fixture_id = "1108";
+    show.fixtures[1].fixture_id = "206";
+    EXPECT_EQ(column(table(paper_of(show), "instruments"), "name"), (Cells{"y", "z", "x 2", "x 10"}));
+}
+
+TEST(Instruments, have_no_filter_where_the_plot_has_white) {
+    Show show;
+    auto loaded = load_description(small_xml(""));
+    ASSERT_TRUE(loaded.ok()) << loaded.error().text();
+    show.plot = std::make_shared<LoadedPlot>(std::move(*loaded));
+    for (int i = 0; i < 2; ++i) {
+        PlotObject& object = show.plot->plot.objects.emplace_back();
+        object.uuid = uuid(i);
+        object.device.color =
+            i == 0 ? fixture::ColorCie{0.3127f, 0.3290f, 100} : fixture::ColorCie{0.64f, 0.33f, 21};
+        show.fixtures.push_back(hung("Spot " + std::to_string(i), 1, 1 + 3 * i));
+        show.fixtures.back().uuid = uuid(i);
+    }
+    const Cells filters = column(table(paper_of(show), "instruments"), "filter");
+    ASSERT_EQ(filters.size(), 2u);
+    EXPECT_EQ(filters[0], "");
+    EXPECT_TRUE(filters[1].starts_with("#ff0")) << filters[1];
+}
+
 TEST(Instruments, name_what_the_plot_says) {
     Show show;
     auto loaded = load_description(small_xml(""));
@@ -154,6 +222,49 @@ TEST(Types, add_up_what_is_known_and_nothing_else) {
         EXPECT_EQ(types.unknown.at(0), "Weight of the fixtures: 25 kg, without those that do not say it: 1.");
     }
     EXPECT_GT(heavy->properties.weight_kg, 0);
+}
+
+TEST(Types, of_two_files_with_equal_names_are_two) {
+    Show show;
+    show.fixtures = {hung("a", 1, 1), hung("b", 1, 4), hung("c", 1, 7)};
+    show.fixtures[0].type = three_channel_spot(R"(<Weight Value="22.5"/>)");
+    show.fixtures[1].type = three_channel_spot(R"(<Weight Value="40"/>)");
+    show.fixtures[2].type = three_channel_spot(R"(<Weight Value="40"/>)"); // a copy
+    const PaperTable types = table(paper_of(show), "types");
+    EXPECT_EQ(column(types, "kg all"), (Cells{"22.5", "80"}));
+    EXPECT_EQ(types.unknown.at(0), "Rows of one name are of fixture files that say different things.");
+    EXPECT_EQ(types.unknown.at(1), "Weight of the fixtures: 102.5 kg.");
+}
+
+TEST(Wheels, of_two_files_with_equal_names_are_all_there) {
+    Show show;
+    show.fixtures = {hung("a", 1, 1), hung("b", 1, 4), hung("c", 1, 7)};
+    const auto other = std::make_shared<fixture::Type>(*show.fixtures[0].type);
+    other->wheels.at(0).slots.at(1).name = "Rose";
+    show.fixtures[1].type = other;
+    show.fixtures[2].type = std::make_shared<fixture::Type>(*show.fixtures[0].type); // a copy
+    const PaperTable wheels = table(paper_of(show), "gobos_colours");
+    EXPECT_EQ(column(wheels, "name"), (Cells{"Open", "Red", "Open", "Rose"}));
+    EXPECT_EQ(column(wheels, "fixtures"), (Cells{"2", "2", "1", "1"}));
+    EXPECT_EQ(wheels.unknown.size(), 1u);
+}
+
+TEST(Columns, of_numbers_and_codes_keep_their_width) {
+    const std::vector<PaperColumn> columns{{"name"}, {"x", true}, {"address", false, true}, {"type"}};
+    EXPECT_EQ(shared_widths(columns, {100, 30, 40, 50}, 220, 20), (std::vector<double>{100, 30, 40, 50}));
+    EXPECT_EQ(shared_widths(columns, {100, 30, 40, 50}, 180, 20), (std::vector<double>{60, 30, 40, 50}));
+    EXPECT_EQ(shared_widths(columns, {100, 30, 40, 50}, 150, 20), (std::vector<double>{40, 30, 40, 40}));
+    EXPECT_EQ(shared_widths(columns, {100, 30, 40, 50}, 55, 20), (std::vector<double>{10, 15, 20, 10}))
+        << "no text left to cut";
+}
+
+TEST(Columns, are_as_wide_as_their_longest_cell_wherever_it_stands) {
+    PaperTable one{"x", "X", {{"address"}}, {}, {}};
+    for (int i = 0; i < 2000; ++i) one.rows.push_back({{i == 777 ? "60000.480" : "1.1"}});
+    const auto cells = longest_cells(one, 0, 400);
+    EXPECT_EQ(cells.size(), 400u);
+    EXPECT_TRUE(std::any_of(cells.begin(), cells.end(),
+                            [](const std::string* cell) { return *cell == "60000.480"; }));
 }
 
 TEST(Wheels, have_their_slots) {

@@ -37,10 +37,12 @@ std::string mode_name(const PatchedFixture& fixture);
 std::vector<fixture::Address> addresses_of(const PatchedFixture& fixture);
 // Of a break; 0: not known.
 int footprint_of(const PatchedFixture& fixture, std::size_t part);
+// 0: its file does not say it.
+double weight_kg_of(const PatchedFixture& fixture);
 // Of all that it takes; 0: nobody says it.
 double power_w_of(const PatchedFixture& fixture);
-// "Spot 1-8, Wash 3", by index.
-std::string names_of(const Show& show, const PrintStyle& style, const std::vector<std::size_t>& fixtures);
+// "Spot 1-8, Wash 3", all of them, by index.
+std::string names_of(const Show& show, const std::vector<std::size_t>& fixtures);
 bool names_circuits(const Show& show); // some fixture says what feeds it
 // Columns in which no row has anything go.
 void drop_empty_columns(PaperTable& table);
