@@ -206,7 +206,20 @@ Extent2 Drawing::end_of(const Bar& bar, const glm::vec3& end_m) const {
     return box;
 }
 
-// "Truss 1, underside 6.40 m, length 10 m"; positions without a truss at their first fixture.
+// "Truss 1, underside 6.40 m, length 10 m"; of a long name alone something may be cut.
+std::vector<std::string> Drawing::words_of(const HungBar& bar) {
+    const std::string underside = style_.length_said(static_cast<double>(bar.bar.from_m.z));
+    const std::string length = style_.length_said(static_cast<double>(bar.bar.length_m()));
+    // From end to end is no length of what is bent.
+    const bool has_length = is_plan_ && bar.bar.bow_m == 0;
+    const std::string line = has_length ? style_("%1, underside %2, length %3", {bar.name, underside, length})
+                                        : style_("%1, underside %2", {bar.name, underside});
+    if (pdf_.width_of(line, kBarText) <= kWidestBarLabel_pt) return {line};
+    return {bar.name, has_length ? style_("underside %1, length %2", {underside, length})
+                                 : style_("underside %1", {underside})};
+}
+
+// Each truss at its left end; positions without a truss at their first fixture.
 void Drawing::place_bars(Labels& labels) {
     std::map<std::string, bool> named;
     std::vector<glm::dvec2> places;
@@ -224,13 +237,7 @@ void Drawing::place_bars(Labels& labels) {
         label.look = kBarText;
         label.around = end_of(bar.bar, from.x <= to.x ? bar.bar.from_m : bar.bar.to_m);
         label.around.grow(2);
-        const std::string underside = style_.length_said(static_cast<double>(bar.bar.from_m.z));
-        // From end to end is no length of what is bent.
-        const bool has_length = is_plan_ && bar.bar.bow_m == 0;
-        label.lines = {has_length ? style_("%1, underside %2, length %3",
-                                           {bar.name, underside,
-                                            style_.length_said(static_cast<double>(bar.bar.length_m()))})
-                                  : style_("%1, underside %2", {bar.name, underside})};
+        label.lines = words_of(bar);
         if (!put(labels, std::move(label), kWidestBarLabel_pt, labels_)) ++unnamed_bars_;
     }
     for (std::size_t i = 0; i < rig_.size(); ++i) {
@@ -286,6 +293,10 @@ void Drawing::place_labels(Labels& labels) {
             label.look = {.size_pt = letters_pt, .is_middle = true};
             for (const std::size_t i : group) label.around.include(symbols_[i].box);
             label.lines = words_of(group);
+            // Cut, a list of numbers would end in a wrong one.
+            if (group.size() > 1 &&
+                pdf_.width_of(label.lines.front(), label.look) > kWidestLabel * letters_pt)
+                label.lines = {style_("%1: see the instrument schedule", {std::to_string(group.size())})};
             if (!put(taken, std::move(label), kWidestLabel * letters_pt, placed)) ++without;
         }
         if (without < fewest) {
@@ -312,7 +323,9 @@ std::vector<std::string> Drawing::notes(std::size_t unlabelled) const {
         said.push_back(style_("Symbols without such a file stand for what a type does, as large as its body, "
                               "turned as it hangs."));
     if (show_.fixtures.empty()) said.push_back(style_("The show has no fixtures."));
-    if (stage_.instances.empty())
+    // Bodies of lamps are no stage.
+    if (std::all_of(stage_.instances.begin(), stage_.instances.end(),
+                    [](const Instance& one) { return one.fixture != kNone; }))
         said.push_back(style_("The show has no stage model: trusses and set are not drawn."));
     std::size_t sizeless = 0, typeless = 0;
     for (const RiggedFixture& fixture : rig_) {
@@ -330,7 +343,7 @@ std::vector<std::string> Drawing::notes(std::size_t unlabelled) const {
         said.push_back(style_("No room for the words beside %1; the instrument schedule has them.",
                               {std::to_string(unlabelled)}));
     if (unnamed_bars_ > 0)
-        said.push_back(style_("No room for the names of %1 trusses and hanging positions.",
+        said.push_back(style_("Names of trusses and hanging positions that found no room: %1.",
                               {std::to_string(unnamed_bars_)}));
     if (!show_.movers.empty())
         said.push_back(style_("What movers carry is drawn where the show has it, not as in a look."));

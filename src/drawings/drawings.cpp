@@ -3,6 +3,7 @@
 
 #include "drawings/private/drawing.h"
 
+#include <algorithm>
 #include <map>
 
 namespace ghost::scene {
@@ -12,6 +13,8 @@ std::string type_text(const PatchedFixture& fixture) {
     if (!fixture.type) return "";
     return fixture.type->manufacturer + (fixture.type->manufacturer.empty() ? "" : " ") + fixture.type->name;
 }
+
+} // namespace
 
 std::vector<LegendLine> legend_of(const Show& show, const std::vector<RiggedFixture>& rig,
                                   FileSymbols& symbols) {
@@ -33,13 +36,10 @@ std::vector<LegendLine> legend_of(const Show& show, const std::vector<RiggedFixt
     return legend;
 }
 
-} // namespace
-
 Result<Drawings> drawings_of(const Show& show, const Stage& stage, const DrawingOptions& options) {
     const PrintStyle& style = options.style;
     const Rigging rigging = rigging_of(show, stage);
     FileSymbols symbols;
-    const std::vector<LegendLine> legend = legend_of(show, rigging.fixtures, symbols);
     TitleBlock title;
     title.show = show.name.empty() ? show.folder.filename().string() : show.name;
     title.paper = std::string(format_of(options.paper).name);
@@ -52,9 +52,11 @@ Result<Drawings> drawings_of(const Show& show, const Stage& stage, const Drawing
     TRY(const std::size_t of_section, section.lay_out(made.section_scale));
     made.sheets = of_plan + of_section;
     for (const std::string& text : {title.show, title.date}) pdf.look_for_boxes(text);
+    const std::vector<LegendLine> legend = legend_of(show, plan.rig(), symbols);
+    const std::vector<LegendLine> section_legend = legend_of(show, section.rig(), symbols);
     for (const LegendLine& line : legend) pdf.look_for_boxes(line.type);
     made.boxes = pdf.boxes_said(style);
-    std::size_t legend_drawn = 0;
+    std::size_t legend_drawn = 0, section_legend_drawn = 0;
     title.title = style("Plan");
     title.remark = style("seen from above, up-stage at the top");
     title.scale = scale_text(made.plan_scale);
@@ -63,8 +65,16 @@ Result<Drawings> drawings_of(const Show& show, const Stage& stage, const Drawing
                                       : style("Section");
     title.remark = style("seen from stage left, the house at the left");
     title.scale = scale_text(made.section_scale);
-    section.draw(title, of_plan, made.sheets, legend, legend_drawn);
-    if (legend_drawn < legend.size()) draw_legend_sheet(pdf, style, legend, legend_drawn, title);
+    section.draw(title, of_plan, made.sheets, section_legend, section_legend_drawn);
+    // One for both, unless the cut left something out.
+    const std::string of_show = title.show;
+    const bool is_cut = section.rig().size() != plan.rig().size();
+    if (is_cut) title.show = of_show + ": " + style("Plan");
+    const std::size_t rest = is_cut ? legend_drawn : std::min(legend_drawn, section_legend_drawn);
+    if (rest < legend.size()) draw_legend_sheet(pdf, style, legend, rest, title);
+    title.show = of_show + ": " + title.title;
+    if (is_cut && section_legend_drawn < section_legend.size())
+        draw_legend_sheet(pdf, style, section_legend, section_legend_drawn, title);
     TRY(made.pdf, pdf.finish());
     return made;
 }

@@ -16,6 +16,7 @@ constexpr float kLevel = 0.8f; // upward part of a floor's normal
 constexpr int kEdge = 48;      // points of a pool
 constexpr float kFarthest_m = 300;
 constexpr float kOnLine_m = 0.005f;
+constexpr float kOpen = 0.995f;     // an iris that narrows nothing
 constexpr float kBehind_m = 0.001f; // what is looked through
 
 // A file without a Beam has been given one, and where its zooms have no range they have been given the angle
@@ -37,6 +38,19 @@ bool is_angle_said(const fixture::Type& type, const fixture::Mode& mode, const f
     return !has_zoom || has_range;
 }
 
+// A pan or tilt without a range has been given one.
+bool is_range_said(const fixture::Mode& mode, fixture::Role role) {
+    for (const fixture::Channel& channel : mode.channels)
+        for (const fixture::ChannelFunction& function : channel.functions)
+            if (function.meaning.role == role && function.is_range_assumed) return false;
+    return true;
+}
+
+// Its opening is a share of the field's diameter.
+float angle_behind_iris_deg(const fixture::Optics& optics) {
+    return glm::degrees(2 * std::atan(optics.iris * std::tan(glm::radians(0.5f * optics.zoom_deg))));
+}
+
 // The middle of all its beams.
 void aim(const glm::mat4& to_world, const fixture::State& state, FocusLamp& lamp) {
     glm::vec3 lens(0), way(0);
@@ -48,7 +62,7 @@ void aim(const glm::mat4& to_world, const fixture::State& state, FocusLamp& lamp
     if (!(glm::length(way) > 1e-3f)) way = -glm::vec3((to_world * state.beams[0].to_fixture)[2]);
     lamp.lens_m = lens;
     lamp.way = glm::normalize(way);
-    lamp.angle_deg = state.beams[0].optics.zoom_deg;
+    lamp.angle_deg = angle_behind_iris_deg(state.beams[0].optics);
 }
 
 std::optional<FocusHit> hit_of(FocusLamp& lamp, const FindHit& find) {
@@ -85,6 +99,11 @@ void add_pool(FocusLamp& lamp) {
                 lamp.pool_m.end());
 }
 
+std::string hit_text(const FocusChart& chart, const FocusLamp& lamp) {
+    if (lamp.hit) return lamp.hit->what;
+    return chart.has_stage && lamp.is_aim_known() ? chart.style("hits nothing") : "";
+}
+
 std::string place_text(const PrintStyle& style, const glm::vec3& at_m) {
     return across_text(style, static_cast<double>(at_m.x)) + ", " +
            along_text(style, static_cast<double>(at_m.y)) + ", z " +
@@ -111,8 +130,9 @@ FocusChart focus_of(const Show& show, std::span<const fixture::State> states, co
     chart.show = show.name.empty() ? show.folder.filename().string() : show.name;
     chart.style = style;
     chart.moment = moment;
+    chart.has_stage = find != nullptr;
     const std::vector<Hanging> hangings = hangings_of(show);
-    std::vector<std::string> beamless, angleless, looked_past, near;
+    std::vector<std::string> beamless, aimless, angleless, irised, looked_past, near;
     for (const std::size_t i : in_hanging_order(hangings)) {
         const PatchedFixture& fixture = show.fixtures[i];
         if (!fixture.type || i >= states.size() || states[i].beams.empty()) {
@@ -132,30 +152,44 @@ FocusChart focus_of(const Show& show, std::span<const fixture::State> states, co
         lamp.has_axes = !states[i].axes.empty();
         lamp.light_percent = values_of(*fixture.type, states[i]).light_percent;
         aim(by * fixture_to_world(fixture, 0), states[i], lamp);
-        lamp.is_angle_known =
-            is_angle_said(*fixture.type, fixture.type->modes[static_cast<std::size_t>(fixture.mode)],
-                          states[i].beams.front());
-        if (find)
+        const fixture::Mode& mode = fixture.type->modes[static_cast<std::size_t>(fixture.mode)];
+        lamp.is_pan_known = is_range_said(mode, fixture::Role::pan);
+        lamp.is_tilt_known = is_range_said(mode, fixture::Role::tilt);
+        lamp.is_angle_known = is_angle_said(*fixture.type, mode, states[i].beams.front());
+        if (!lamp.is_aim_known())
+            aimless.push_back(fixture.name);
+        else if (find)
             lamp.hit = hit_of(lamp, find);
         else if (lamp.way.z < -1e-3f && lamp.lens_m.z > 0)
             lamp.hit = FocusHit{-lamp.lens_m.z / lamp.way.z, {0, 0, 1}, ""};
         lamp.is_on_floor = lamp.hit && lamp.hit->normal.z > kLevel;
         if (lamp.is_on_floor && lamp.is_angle_known) add_pool(lamp);
         if (!lamp.is_angle_known) angleless.push_back(fixture.name);
+        if (lamp.is_angle_known && states[i].beams.front().optics.iris < kOpen)
+            irised.push_back(fixture.name);
         if (lamp.is_looked_past) looked_past.push_back(fixture.name);
         if (find && lamp.hit && lamp.hit->distance_m < kAtLens_m) near.push_back(fixture.name);
     }
     const std::string at_lens = style.length_said(static_cast<double>(kAtLens_m));
     if (!find)
-        chart.unknown.push_back(style("The stage model could not be read: what a beam hits is not known, and "
-                                      "its floor is z = 0."));
+        chart.unknown.push_back(
+            show.stage_file.empty()
+                ? style("The show has no stage model: what a beam hits is not known, and its floor is z = 0.")
+                : style("The stage model could not be read: what a beam hits is not known, and its floor is "
+                        "z = 0."));
     if (!beamless.empty())
         chart.unknown.push_back(style("Without a beam, or without a file that could be read: %1.",
                                       {names_text(beamless, style)}));
+    if (!aimless.empty())
+        chart.unknown.push_back(
+            style("Pan or tilt without a range in the file: where the beam goes is not known of %1.",
+                  {names_text(aimless, style)}));
     if (!angleless.empty())
         chart.unknown.push_back(style("Nobody says the angle of %1 (no Beam in the file, or a zoom without a "
                                       "range): no pool is drawn.",
                                       {names_text(angleless, style)}));
+    if (!irised.empty())
+        chart.unknown.push_back(style("The iris narrows angle and pool of %1.", {names_text(irised, style)}));
     if (!looked_past.empty())
         chart.unknown.push_back(style("Looked through is a truss or pipe within %1 of the lens of %2.",
                                       {at_lens, names_text(looked_past, style)}));
@@ -186,12 +220,11 @@ PaperTable table_of(const FocusChart& chart) {
     for (const FocusLamp& lamp : chart.lamps)
         table.rows.push_back(
             {{lamp.position, lamp.unit, lamp.number, lamp.name, place_text(style, lamp.place_m),
-              lamp.focus_point, lamp.hit ? place_text(style, lamp.aim_m()) : "",
-              lamp.hit ? lamp.hit->what : style("hits nothing"),
+              lamp.focus_point, lamp.hit ? place_text(style, lamp.aim_m()) : "", hit_text(chart, lamp),
               lamp.hit ? style.length(static_cast<double>(lamp.hit->distance_m)) : "",
               lamp.is_angle_known ? style.number(static_cast<double>(lamp.angle_deg), 1) : "",
-              lamp.has_axes ? style.number(static_cast<double>(lamp.pan_deg), 1) : "",
-              lamp.has_axes ? style.number(static_cast<double>(lamp.tilt_deg), 1) : "",
+              lamp.has_axes && lamp.is_pan_known ? style.number(static_cast<double>(lamp.pan_deg), 1) : "",
+              lamp.has_axes && lamp.is_tilt_known ? style.number(static_cast<double>(lamp.tilt_deg), 1) : "",
               style.number(static_cast<double>(lamp.light_percent), 0)}});
     return table;
 }

@@ -40,15 +40,17 @@ struct FocusLamp {
     glm::vec3 way{0, 0, -1};
     float pan_deg = 0, tilt_deg = 0;
     bool has_axes = false;
-    float angle_deg = 0;         // field
-    bool is_angle_known = true;  // false: its file says none, and has been given one
-    bool is_looked_past = false; // a truss or pipe at its lens
+    bool is_pan_known = true, is_tilt_known = true; // false: its file gives no range, and one was assumed
+    float angle_deg = 0;                            // field, of what the iris leaves
+    bool is_angle_known = true;                     // false: its file says none, and has been given one
+    bool is_looked_past = false;                    // a truss or pipe at its lens
     float light_percent = 0;
     std::optional<FocusHit> hit;
     bool is_on_floor = false;
     std::vector<glm::dvec2> pool_m; // its edge on that floor, round the way
     bool is_pool_whole = true;      // false: a part of its edge reaches no floor
 
+    bool is_aim_known() const { return is_pan_known && is_tilt_known; }
     glm::vec3 aim_m() const { return lens_m + (hit ? hit->distance_m : 0.0f) * way; }
 };
 
@@ -56,6 +58,7 @@ struct FocusChart {
     std::string show;
     std::string moment; // a sentence
     PrintStyle style;
+    bool has_stage = false;           // false: what a beam hits is not known
     std::vector<FocusLamp> lamps;     // as they hang
     std::vector<std::string> unknown; // sentences
 };

@@ -117,7 +117,9 @@ private:
         if (lamp.hit) {
             fact(style_("aims at") + ": " + at_place(lamp.aim_m()));
             if (!lamp.hit->what.empty()) fact(style_("hits") + ": " + lamp.hit->what);
-        } else {
+        } else if (!lamp.is_aim_known()) {
+            fact(style_("aims at") + ": " + style_("not known"));
+        } else if (chart_.has_stage) {
             fact(style_("hits nothing"));
         }
         const std::string angle =
@@ -128,11 +130,21 @@ private:
                             style_.length_said(static_cast<double>(lamp.hit->distance_m)) + ", " + angle
                       : angle);
         if (lamp.has_axes)
-            fact(style_("pan") + " " + style_.number(static_cast<double>(lamp.pan_deg), 1) + "\xc2\xb0, " +
-                 style_("tilt") + " " + style_.number(static_cast<double>(lamp.tilt_deg), 1) + "\xc2\xb0");
+            fact(axis_text("pan", lamp.is_pan_known, lamp.pan_deg) + ", " +
+                 axis_text("tilt", lamp.is_tilt_known, lamp.tilt_deg));
         fact(style_("light") + ": " +
              (lamp.light_percent < 1 ? style_("dark")
                                      : style_.number(static_cast<double>(lamp.light_percent), 0) + " %"));
+    }
+
+    std::string axis_text(Word axis, bool is_known, float angle_deg) const {
+        return is_known ? style_(axis) + " " + style_.number(static_cast<double>(angle_deg), 1) + "\xc2\xb0"
+                        : style_(axis) + ": " + style_("not known");
+    }
+
+    std::string without_floor(const FocusLamp& lamp) const {
+        if (!lamp.is_aim_known()) return style_("aims at") + ": " + style_("not known");
+        return lamp.hit || !chart_.has_stage ? style_("hits no floor") : style_("hits nothing");
     }
 
     // The floor from above, up-stage at the top, the aim in the middle of what is shown.
@@ -140,8 +152,7 @@ private:
         const std::array frame{at, at + glm::dvec2(side, 0), at + glm::dvec2(side), at + glm::dvec2(0, side)};
         pdf_.shape(frame, true, kBorder);
         if (!lamp.is_on_floor) {
-            const std::string why = lamp.hit ? style_("hits no floor") : style_("hits nothing");
-            pdf_.line_of_text(at.x + 2, at.y + 0.5 * side - 4, side - 4, why,
+            pdf_.line_of_text(at.x + 2, at.y + 0.5 * side - 4, side - 4, without_floor(lamp),
                               {.size_pt = 7, .is_grey = true, .is_middle = true});
             return;
         }

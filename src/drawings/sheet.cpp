@@ -12,6 +12,8 @@ constexpr double kNumbers_pt = 7 * kPointsOfMm; // of the grid, left of the draw
 constexpr double kTitle_pt = 44 * kPointsOfMm;  // height of the block
 constexpr double kPad_pt = 4;
 constexpr double kLine_pt = 17; // of the legend
+constexpr double kLegendSymbol_pt = 24, kLegendCount_pt = 26;
+constexpr double kSecondLine_pt = 8, kTwoLines_pt = 17; // of a long type
 constexpr double kNote_pt = 60, kNoteGap_pt = 2;
 constexpr double kMoreNote_pt = 20; // says what is not in the legend: two lines
 
@@ -41,22 +43,38 @@ std::vector<FlatLine> fitted(std::vector<FlatLine> lines, const glm::dvec2& midd
     return lines;
 }
 
-void draw_legend_line(PdfWriter& pdf, const PrintStyle& style, const LegendLine& line, double x, double y,
-                      double width) {
+std::string type_of(const PrintStyle& style, const LegendLine& line) {
+    return line.type.empty() ? style("file not read") : line.type;
+}
+
+double legend_line_pt(PdfWriter& pdf, const PrintStyle& style, const LegendLine& line, double width) {
+    const double room = width - kLegendSymbol_pt - kLegendCount_pt;
+    return kLine_pt + (pdf.width_of(type_of(style, line), kWords) > room ? kSecondLine_pt : 0);
+}
+
+// A long type takes two lines. The height that all of it takes.
+double draw_legend_line(PdfWriter& pdf, const PrintStyle& style, const LegendLine& line, double x, double y,
+                        double width) {
     const bool is_long = line.kind == SymbolKind::bar || line.kind == SymbolKind::wall;
     const glm::dvec2 middle(x + 10, y + 0.5 * kLine_pt);
     if (line.lines.empty())
         draw_symbol(pdf, line.kind, {middle, {1, 0}, {0, -1}, is_long ? glm::dvec2(18, 4) : glm::dvec2(12)});
     else
         draw_lines(pdf, fitted(line.lines, middle, {18, 15}));
-    const double words = x + 24, count = 26;
-    const std::string type = line.type.empty() ? style("file not read") : line.type;
-    pdf.line_of_text(words, y + 1, width - 24 - count, type, kWords);
+    const double words = x + kLegendSymbol_pt, count = kLegendCount_pt;
+    const double room = width - kLegendSymbol_pt - count;
+    const std::string type = type_of(style, line);
+    const double more = legend_line_pt(pdf, style, line, width) - kLine_pt;
+    if (more > 0)
+        pdf.text(words, y + 1, room, kTwoLines_pt, type, kWords);
+    else
+        pdf.line_of_text(words, y + 1, room, type, kWords);
     const std::string kind = style(word_of(line.kind));
-    pdf.line_of_text(words, y + 8.5, width - 24 - count,
+    pdf.line_of_text(words, y + 8.5 + more, room,
                      line.lines.empty() ? kind : style("%1, symbol of its file", {kind}), kSmall);
     pdf.line_of_text(x + width - count, y + 3, count, std::to_string(line.count),
                      {.size_pt = 8, .is_right = true});
+    return kLine_pt + more;
 }
 
 void draw_title(PdfWriter& pdf, const Extent2& box, const PrintStyle& style, const TitleBlock& title) {
@@ -107,8 +125,8 @@ std::size_t draw_column(PdfWriter& pdf, const SheetRoom& room, const PrintStyle&
     double end = block.low.y - kNoteGap_pt - kMoreNote_pt; // of the legend
     for (const std::string& note : notes) end -= pdf.height_of(width, kNote_pt, note, kSmall) + kNoteGap_pt;
     std::size_t drawn = 0;
-    for (; drawn < legend.size() && y + kLine_pt < end; ++drawn, y += kLine_pt)
-        draw_legend_line(pdf, style, legend[drawn], x, y, width);
+    for (; drawn < legend.size() && y + legend_line_pt(pdf, style, legend[drawn], width) < end; ++drawn)
+        y += draw_legend_line(pdf, style, legend[drawn], x, y, width);
     std::vector<std::string> all = notes;
     if (drawn < legend.size())
         all.insert(all.begin(),
@@ -121,14 +139,15 @@ std::size_t draw_column(PdfWriter& pdf, const SheetRoom& room, const PrintStyle&
 
 void draw_legend_sheet(PdfWriter& pdf, const PrintStyle& style, const std::vector<LegendLine>& legend,
                        std::size_t from, const TitleBlock& title) {
-    const double top = kMargin_pt + 24, width = 200, end = pdf.height_pt() - kMargin_pt - kLine_pt;
+    const double top = kMargin_pt + 24, width = 200,
+                 end = pdf.height_pt() - kMargin_pt - kLine_pt - kSecondLine_pt;
     const auto begin = [&] {
         pdf.line_of_text(kMargin_pt, kMargin_pt, pdf.width_pt() - 2 * kMargin_pt,
                          title.show + ": " + style("Legend"), {.size_pt = 12, .is_bold = true});
     };
     begin();
     double x = kMargin_pt, y = top;
-    for (std::size_t k = from; k < legend.size(); ++k, y += kLine_pt) {
+    for (std::size_t k = from; k < legend.size(); ++k) {
         if (y > end) {
             y = top;
             x += width + 12;
@@ -138,7 +157,7 @@ void draw_legend_sheet(PdfWriter& pdf, const PrintStyle& style, const std::vecto
             begin();
             x = kMargin_pt;
         }
-        draw_legend_line(pdf, style, legend[k], x, y, width);
+        y += draw_legend_line(pdf, style, legend[k], x, y, width);
     }
     pdf.end_page();
 }

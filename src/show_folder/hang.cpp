@@ -12,6 +12,7 @@ namespace {
 
 constexpr float kSlender = 3; // times as long as wide
 constexpr float kWidestTruss_m = 1.3f;
+constexpr float kLonger_m = 1e-3f; // than rounding makes it
 constexpr float kLeastLength_m = 0.4f;
 constexpr float kLeastHeight_m = 0.03f; // the thinnest pipe that carries a lamp has 38 mm
 constexpr float kLower_m = 0.5f;        // below what hangs, is not what is meant
@@ -161,12 +162,14 @@ Bar joined(const Bar& piece, std::span<const Bar> all, std::vector<bool>& taken)
         for (std::size_t i = 0; i < all.size(); ++i) {
             if (taken[i] || !goes_on(whole, all[i])) continue;
             taken[i] = grew = true;
+            const float was_m = whole.length_m();
             Extent along;
             for (const glm::vec3& end : {whole.from_m, whole.to_m, all[i].from_m, all[i].to_m})
                 along.include(glm::dot(end - piece.from_m, way));
             whole.from_m = piece.from_m + along.low * way;
             whole.to_m = piece.from_m + along.high * way;
-            whole.bow_m = 0;
+            // The piece itself is among all of them.
+            if (whole.length_m() > was_m + kLonger_m) whole.bow_m = 0;
         }
     }
     return whole;

@@ -2,6 +2,7 @@
 // Plans and sections: lines of objects, which symbol stands for what, words that cover nothing, sheets.
 #include "drawings/drawings.h"
 
+#include "drawings/private/drawing.h"
 #include "drawings/private/file_symbols.h"
 #include "drawings/private/labels.h"
 #include "drawings/private/outlines.h"
@@ -284,6 +285,22 @@ TEST(Bars, are_named_after_where_lamps_hang) {
     EXPECT_NEAR(bars[0].bar.length_m(), 10, 0.01);
 }
 
+// Pieces of an arc round (0, -6.5): 8 m long, its middle 1 m up-stage of its ends.
+TEST(Bars, that_are_bent_stay_bent_where_nothing_lengthens_them) {
+    Stage stage;
+    Mesh& mesh = stage.meshes.emplace_back();
+    for (int k = -20; k <= 20; ++k) {
+        const float angle = std::asin(4.0f / 8.5f) * static_cast<float>(k) / 20;
+        for (const float radius_m : {8.35f, 8.65f})
+            for (const float z_m : {5.9f, 6.2f})
+                mesh.positions.emplace_back(radius_m * std::sin(angle), radius_m * std::cos(angle) - 5, z_m);
+    }
+    stage.instances.push_back({"Arc", 0, glm::mat4(1.0f)});
+    const auto bars = rigging_of(show_of(10), stage).bars;
+    ASSERT_EQ(bars.size(), 1u);
+    EXPECT_NEAR(bars[0].bar.bow_m, 1, 0.05f);
+}
+
 TEST(Drawings, have_equal_bytes_and_say_which_scale_fits) {
     Stage stage;
     add_cuboid(stage, "Truss A", {0, 3, 6.3f}, {10, 0.3f, 0.3f});
@@ -342,6 +359,83 @@ TEST(Drawings, have_a_wall_whole_and_say_what_no_scale_fits) {
     EXPECT_NE(none.error().what.find("m apart: no scale up to 1:50000 fits on a sheet of A3"),
               std::string::npos)
         << none.error().what;
+}
+
+bool has_line(const std::vector<DrawnLabel>& labels, const std::string& line) {
+    return std::any_of(labels.begin(), labels.end(), [&](const DrawnLabel& label) {
+        return std::find(label.lines.begin(), label.lines.end(), line) != label.lines.end();
+    });
+}
+
+// A plan that is laid out.
+struct LaidOut {
+    LaidOut(const Show& show, const Stage& stage, const View& view, bool is_plan)
+        : rigging(rigging_of(show, stage)),
+          drawing(pdf, show, stage, options, view, is_plan, rigging, symbols) {
+        int scale = 0;
+        must(drawing.lay_out(scale));
+    }
+    DrawingOptions options;
+    PdfWriter pdf{PaperSize::a3, true, "Demo"};
+    Rigging rigging;
+    FileSymbols symbols;
+    Drawing drawing;
+};
+
+TEST(Labels, of_a_long_name_keep_their_numbers) {
+    Stage stage;
+    const std::string name = "Truss of a name that is longer than anybody would write it on a plan";
+    add_cuboid(stage, name, {0, 3, 6.3f}, {10, 0.3f, 0.3f});
+    const Show show = show_of(3);
+    const LaidOut plan(show, stage, from_above(), true);
+    EXPECT_TRUE(has_line(plan.drawing.labels(), name));
+    EXPECT_TRUE(has_line(plan.drawing.labels(), "underside 6.15 m, length 10 m"));
+}
+
+TEST(Labels, of_many_lamps_cut_no_number) {
+    Show show = show_of(2);
+    for (PatchedFixture& fixture : show.fixtures) {
+        fixture.name = "Light Source Pendant 44deg #7" + fixture.name.substr(fixture.name.size() - 1);
+        fixture.position_m = {0, 3, 6};
+    }
+    show.fixtures[1].name += " above the orchestra";
+    const Stage stage;
+    const LaidOut plan(show, stage, from_above(), true);
+    EXPECT_TRUE(has_line(plan.drawing.labels(), "2: see the instrument schedule"));
+}
+
+TEST(Sheets, say_that_there_is_no_stage_where_lamps_have_bodies) {
+    const Show show = show_of(1);
+    Stage stage;
+    add_cuboid(stage, "Body", {-4.5f, 3, 6}, {0.3f, 0.3f, 0.3f});
+    const std::string sentence = "The show has no stage model: trusses and set are not drawn.";
+    for (const int owner : {kNone, 0}) {
+        stage.instances[0].fixture = owner;
+        const LaidOut plan(show, stage, from_above(), true);
+        const std::vector<std::string>& said = plan.drawing.remarks();
+        EXPECT_EQ(std::count(said.begin(), said.end(), sentence), owner == kNone ? 0 : 1);
+    }
+}
+
+TEST(Sheets, of_a_cut_section_count_what_is_left) {
+    const Show show = show_of(10); // from -4.5 m to 4.5 m
+    const Stage stage;
+    const Rigging rigging = rigging_of(show, stage);
+    FileSymbols symbols;
+    const DrawingOptions options;
+    PdfWriter pdf(PaperSize::a3, true, "Demo");
+    const Drawing section(pdf, show, stage, options, from_the_side(0.0), false, rigging, symbols);
+    const auto legend = legend_of(show, section.rig(), symbols);
+    ASSERT_EQ(legend.size(), 1u);
+    EXPECT_EQ(legend[0].count, 5u);
+}
+
+TEST(Sheets, give_a_long_type_two_lines) {
+    PdfWriter pdf(PaperSize::a4, true, "Sheet");
+    std::vector<LegendLine> legend(100);
+    const std::size_t of_short = draw_column(pdf, room_on(pdf), {}, {}, legend, {});
+    for (LegendLine& line : legend) line.type = "A maker of a long name and a type of a longer one, too";
+    EXPECT_LT(draw_column(pdf, room_on(pdf), {}, {}, legend, {}), of_short);
 }
 
 TEST(Sheets, keep_room_for_all_notes) {

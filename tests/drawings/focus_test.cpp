@@ -93,7 +93,9 @@ TEST(Focus, that_hits_no_floor_has_no_pool) {
     const Show up = lamp_at(180);
     const FocusChart nothing = focus_of(up, states_of(up), {}, {}, "Now.");
     EXPECT_FALSE(nothing.lamps[0].hit);
-    EXPECT_EQ(table_of(nothing).rows[0].cells[7], "hits nothing");
+    EXPECT_EQ(table_of(nothing).rows[0].cells[7], "") << "what it hits is not known";
+    const FindHit none = [](const glm::vec3&, const glm::vec3&) { return std::optional<FocusHit>(); };
+    EXPECT_EQ(table_of(focus_of(up, states_of(up), none, {}, "Now.")).rows[0].cells[7], "hits nothing");
 }
 
 TEST(Focus, whose_edge_leaves_the_floor_says_so) {
@@ -203,6 +205,48 @@ TEST(Focus, prints_no_angle_and_no_pool_that_nobody_says) {
         Report report;
         EXPECT_TRUE(must(pdf_of(chart, PaperSize::a4, report)).starts_with("%PDF-"));
     }
+}
+
+TEST(Focus, tells_a_show_without_a_stage_from_one_whose_stage_is_not_readable) {
+    Show show = lamp_at(0);
+    EXPECT_TRUE(says(focus_of(show, states_of(show), {}, {}, "Now."), "The show has no stage model"));
+    show.stage_file = "stage.glb";
+    EXPECT_TRUE(says(focus_of(show, states_of(show), {}, {}, "Now."), "The stage model could not be read"));
+}
+
+TEST(Focus, prints_no_aim_where_pan_or_tilt_has_no_range) {
+    const std::string tilt =
+        R"(<Geometry Name="Base"><Axis Name="Head"><Beam Name="Beam"/></Axis></Geometry>)";
+    for (const bool is_said : {false, true}) {
+        fixture::Description description;
+        description.geometries = tilt;
+        description.channels =
+            channel_of("Tilt", "Head", is_said ? R"(PhysicalFrom="-10" PhysicalTo="10")" : "");
+        Show show = lamp_at(0);
+        show.fixtures[0].type = std::make_shared<const fixture::Type>(fixture::loaded(description).type);
+        const FindHit floor = [](const glm::vec3&, const glm::vec3&) {
+            return std::optional(FocusHit{5, {0, 0, 1}, "Floor"});
+        };
+        const FocusChart chart = focus_of(show, states_of(show), floor, {}, "Now.");
+        const std::vector<std::string> cells = table_of(chart).rows.at(0).cells;
+        EXPECT_EQ(chart.lamps[0].is_aim_known(), is_said);
+        EXPECT_EQ(chart.lamps[0].hit.has_value(), is_said);
+        EXPECT_EQ(chart.lamps[0].pool_m.empty(), !is_said);
+        for (const std::size_t column : {6u, 7u, 8u, 11u})
+            EXPECT_EQ(cells[column].empty(), !is_said) << column;
+        EXPECT_EQ(says(chart, "where the beam goes is not known of Lamp."), !is_said);
+        Report report;
+        EXPECT_TRUE(must(pdf_of(chart, PaperSize::a4, report)).starts_with("%PDF-"));
+    }
+}
+
+TEST(Focus, pool_is_what_the_iris_leaves) {
+    const Show show = lamp_at(0);
+    std::vector<fixture::State> states = states_of(show);
+    states[0].beams[0].optics.iris = 0.5f;
+    const FocusChart chart = focus_of(show, states, {}, {}, "Now.");
+    EXPECT_NEAR(extent(chart.lamps.at(0).pool_m).size().x, 5 * std::tan(glm::radians(10.0)), 1e-3);
+    EXPECT_TRUE(says(chart, "The iris narrows angle and pool of Lamp."));
 }
 
 TEST(Focus, says_left_and_right_as_the_house_sees_it) {

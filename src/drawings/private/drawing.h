@@ -58,6 +58,10 @@ struct DrawnSymbol {
     bool is_hidden = false; // in a section: behind an equal one, which is drawn later
 };
 
+// Kinds of what a drawing shows.
+std::vector<LegendLine> legend_of(const Show& show, const std::vector<RiggedFixture>& rig,
+                                  FileSymbols& symbols);
+
 class Drawing {
 public:
     Drawing(PdfWriter& pdf, const Show& show, const Stage& stage, const DrawingOptions& options,
@@ -67,6 +71,10 @@ public:
     Result<std::size_t> lay_out(int& scale);
     void draw(TitleBlock title, std::size_t first_sheet, std::size_t sheets,
               const std::vector<LegendLine>& legend, std::size_t& legend_drawn);
+    const std::vector<RiggedFixture>& rig() const { return rig_; } // what is not cut away
+    // After lay_out.
+    const std::vector<DrawnLabel>& labels() const { return labels_; }
+    const std::vector<std::string>& remarks() const { return notes_; }
 
 private:
     void choose_frame(const Outlines& rough);
@@ -80,6 +88,7 @@ private:
     Extent2 end_of(const Bar& bar, const glm::vec3& end_m) const;
     void place_bars(Labels& labels);
     void place_labels(Labels& labels);
+    std::vector<std::string> words_of(const HungBar& bar);
     std::vector<std::string> words_of(const std::vector<std::size_t>& group) const;
     // False: there is no room.
     bool put(Labels& labels, DrawnLabel label, double widest_pt, std::vector<DrawnLabel>& placed);
@@ -110,7 +119,7 @@ private:
     const Rigging& rigging_;
     FileSymbols& file_symbols_;
     SheetRoom room_;
-    std::vector<RiggedFixture> rig_;                           // what is not cut away
+    std::vector<RiggedFixture> rig_;
     std::vector<std::vector<std::vector<glm::dvec2>>> bodies_; // of the show's fixtures, in a section
     Extent2 frame_;                                            // metres
     double metre_pt_ = 1;

@@ -76,6 +76,7 @@ void repair_physical(GdtfReader& reader, pugi::xml_node node, ChannelFunction& f
                        std::to_string(static_cast<int>(half_deg)) + " degrees");
         function.physical_from = -half_deg;
         function.physical_to = half_deg;
+        function.is_range_assumed = true;
     }
     if (role == Role::zoom) {
         // Which end is narrow cannot be guessed, so it does nothing.
