@@ -221,7 +221,7 @@ class Drawings(unittest.TestCase):
         code, text = run("paper", folder, "-o", WORK / "bars_paper", "--plan", "--sheet", "A4", "--scale", "1:200")
         self.assertEqual(code, 0, text)
         said = " ".join(text_of(WORK / "bars_paper/plan.pdf").split())
-        self.assertRegex(said, r"No room for the names of \d+ trusses and hanging positions")
+        self.assertRegex(said, r"Names of trusses and hanging positions that found no room: \d+")
 
     def test_figures_of_a_focus_chart_stand_beside_their_arrows(self):
         places = [(0.3, 3), (-0.3, 0.3), (3, -0.5), (-4, 6), (0.05, 0.05), (0, 2), (-3, 0.2), (4, -1)]
