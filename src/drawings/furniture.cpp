@@ -78,7 +78,9 @@ void Drawing::furnish(Labels& labels) {
             for (const double y : {1.0, 0.0})
                 for (const double x : {1.0, 0.0, 0.5})
                     places.push_back(box_at({between(0, x, bar_size), between(1, y, bar_size)}, bar_size));
-            part.scale_bar = free_of_symbols(places, part).value_or(places.front());
+            // A narrow rest of a drawing would cut it; the sheet beside it has one.
+            if (columns_ == 1 || window.size().x >= bar_size.x + 2 * kInset_pt)
+                part.scale_bar = free_of_symbols(places, part).value_or(places.front());
             const auto add = [&](const std::string& text, const PdfText& look, const auto& place_at) {
                 const glm::dvec2 size(pdf_.width_of(text, look) + 2, kLineOfText * look.size_pt);
                 std::vector<Extent2> choice;
@@ -110,7 +112,8 @@ void Drawing::furnish(Labels& labels) {
                                      : glm::dvec2(between(0, share, size), at - 1 - size.y);
                 });
             }
-            labels.keep_free({part.scale_bar.low - part.offset, part.scale_bar.high - part.offset});
+            if (!part.scale_bar.is_empty())
+                labels.keep_free({part.scale_bar.low - part.offset, part.scale_bar.high - part.offset});
             for (const EdgeWords& words : part.words)
                 labels.keep_free({words.box.low - part.offset, words.box.high - part.offset});
         }
@@ -130,7 +133,7 @@ void Drawing::draw_furniture(const SheetPart& part) {
         pdf_.fill(words.box.low.x, words.box.low.y, words.box.size().x, words.box.size().y, 1);
         pdf_.line_of_text(words.box.low.x + 1, words.box.low.y, words.box.size().x, words.text, words.look);
     }
-    draw_scale_bar(part.scale_bar);
+    if (!part.scale_bar.is_empty()) draw_scale_bar(part.scale_bar);
 }
 
 void Drawing::draw_scale_bar(const Extent2& box) {

@@ -45,7 +45,7 @@ struct EdgeWords {
 struct SheetPart {
     Extent2 window;               // of the drawing
     glm::dvec2 offset{0};         // of the drawing's upper left corner
-    Extent2 scale_bar;            // with the white about it
+    Extent2 scale_bar;            // with the white about it; empty: the window is too narrow
     std::vector<EdgeWords> words; // HOUSE, UP-STAGE, names of lines
 };
 
