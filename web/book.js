@@ -71,11 +71,11 @@ class Book extends HTMLElement {
     this.body.replaceChildren(
         ...(problem ? [make("p", {class: "bad"}, problem)] : []),
         ...(difference ? [this.difference(difference)] : []),
-        ...book.entries.map((/** @type {any} */ entry, /** @type {number} */ index) => this.entry(entry, hasNumbers ? "" : `${index + 1}. `, !book.for_client))); // a tour names no fixtures
+        ...book.entries.map((/** @type {any} */ entry, /** @type {number} */ index) => this.entry(entry, index, hasNumbers, !book.for_client))); // a tour names no fixtures
   }
 
-  /** @param {any} entry @param {string} place before its name, where no entry has a number @param {boolean} hasChanges */
-  entry(entry, place, hasChanges) {
+  /** @param {any} entry @param {number} index @param {boolean} hasNumbers one of the book has @param {boolean} hasChanges */
+  entry(entry, index, hasNumbers, hasChanges) {
     const times = [
       entry.at_s === null ? "" : `at ${moment(entry.at_s)}`,
       entry.page ? `page ${entry.page} of the script` : "",
@@ -84,8 +84,9 @@ class Book extends HTMLElement {
       entry.look ? `look ${entry.look}` : "",
     ].filter(Boolean);
     const changes = entry.changes.map((/** @type {any} */ change) => `${names(change.fixtures)}: ${change.what}`);
+    const number = entry.number || (hasNumbers ? "" : String(index + 1));
     return make(
-        "article", {class: "entry"}, make("h2", {}, `${entry.number ? `${entry.number}. ` : place}${entry.name}`),
+        "article", {class: "entry"}, make("h2", {}, number ? `${number}. ${entry.name}` : entry.name),
         ...(times.length ? [make("p", {class: "quiet"}, times.join(" \u00b7 "))] : []),
         ...(entry.notes ? [make("p", {}, entry.notes)] : []),
         make(
