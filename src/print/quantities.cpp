@@ -117,7 +117,8 @@ bool natural_less(const std::string& a, const std::string& b) {
         if (const int order = a.compare(i, end - i, b, k, other_end - k); order != 0) return order < 0;
         i = end, k = other_end;
     }
-    return a.size() - i < b.size() - k;
+    // What differs by zeros in front alone is not the same, or later keys of a sort would mix its groups.
+    return a.size() - i == b.size() - k ? a < b : a.size() - i < b.size() - k;
 }
 
 std::string address_text(int universe, int channel) {

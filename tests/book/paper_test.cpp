@@ -139,6 +139,14 @@ TEST(Instruments, without_unit_numbers_are_sorted_by_desk_number_then_name) {
     EXPECT_EQ(column(table(paper_of(show), "instruments"), "name"), (Cells{"y", "z", "x 2", "x 10"}));
 }
 
+TEST(Instruments, of_numbers_that_differ_by_zeros_are_not_mixed) {
+    Show show;
+    show.fixtures = {hung("c", 1, 1), hung("a", 1, 4), hung("d", 1, 7), hung("b", 1, 10)};
+    const char* const numbers[] = {"1", "01", "01", "1"};
+    for (std::size_t i = 0; i < 4; ++i) show.fixtures[i].fixture_id = numbers[i];
+    EXPECT_EQ(column(table(paper_of(show), "instruments"), "name"), (Cells{"a", "d", "b", "c"}));
+}
+
 TEST(Instruments, have_no_filter_where_the_plot_has_white) {
     Show show;
     auto loaded = load_description(small_xml(""));
