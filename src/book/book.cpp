@@ -2,6 +2,7 @@
 #include "book/book.h"
 
 #include "book/private/paper_tables.h"
+#include "print/quantities.h"
 #include "show/show.h"
 
 namespace ghost::scene {
@@ -10,26 +11,37 @@ Book book_of(const Show& show, const PrintStyle& style) {
     Book book;
     book.show = show.name.empty() ? show.folder.filename().string() : show.name;
     std::size_t unread = 0;
+    std::vector<std::string> placeless, modeless;
     for (const PatchedFixture& fixture : show.fixtures) {
         BookFixture& entry = book.fixtures.emplace_back();
         entry.name = fixture.name;
         entry.id = fixture.fixture_id;
         entry.uuid = fixture.uuid;
+        entry.type = type_name(fixture);
+        entry.mode = mode_name(fixture);
         entry.addresses = addresses_of(fixture);
-        entry.position_m = fixture.position_m;
         entry.rotation_deg = fixture.rotation_deg;
-        if (!fixture.type) {
+        if (fixture.is_place_known)
+            entry.position_m = fixture.position_m;
+        else
+            placeless.push_back(fixture.name);
+        if (!fixture.type)
             ++unread;
-            continue;
-        }
-        entry.type =
-            fixture.type->manufacturer + (fixture.type->manufacturer.empty() ? "" : " ") + fixture.type->name;
-        if (!fixture.type->modes.empty()) entry.mode = fixture.patch().mode_of().name;
+        else if (!is_mode_said(fixture))
+            modeless.push_back(fixture.name);
     }
     if (unread > 0)
         book.unknown.push_back(
             style("%1 fixtures have no file that could be read: their light is in no picture",
                   {std::to_string(unread)}));
+    if (!placeless.empty())
+        book.unknown.push_back(
+            style("nobody says a place that can be used of %1: they are drawn at the origin of what they hang on",
+                  {names_text(placeless, style)}));
+    if (!modeless.empty())
+        book.unknown.push_back(
+            style("nobody names a mode that the type has of %1: what they do is read as in another one of its",
+                  {names_text(modeless, style)}));
     if (show.fixtures.empty()) book.unknown.push_back(style("the show has no fixtures"));
     return book;
 }

@@ -22,9 +22,9 @@ struct BookFixture {
     std::string id;   // as the desk calls it, or ""
     std::string uuid; // of the plot, or ""
     std::string type; // "Vari-Lite VL2500 Spot"; "": its file could not be read
-    std::string mode;
+    std::string mode; // "": nobody names one of the type's
     std::vector<fixture::Address> addresses;
-    glm::vec3 position_m{0};
+    std::optional<glm::vec3> position_m;   // none: nobody says one
     std::optional<glm::vec3> rotation_deg; // as a show has it; none: an older book does not say it
 };
 

@@ -38,7 +38,7 @@ Json json_of(const BookFixture& fixture) {
                 {"type", fixture.type},
                 {"mode", fixture.mode},
                 {"addresses", addresses},
-                {"position_m", json_of(fixture.position_m)}};
+                {"position_m", fixture.position_m ? json_of(*fixture.position_m) : Json()}};
     if (fixture.rotation_deg) all["rotation_deg"] = json_of(*fixture.rotation_deg);
     return all;
 }
@@ -124,7 +124,7 @@ BookFixture fixture_from(const Json& all) {
     fixture.mode = all.at("mode").get<std::string>();
     for (const Json& address : list_at(all, "addresses"))
         fixture.addresses.push_back({number_from<int>(address.at(0)), number_from<int>(address.at(1))});
-    fixture.position_m = vector_from(all.at("position_m"));
+    if (const Json& place = all.at("position_m"); !place.is_null()) fixture.position_m = vector_from(place);
     if (all.contains("rotation_deg")) fixture.rotation_deg = vector_from(all.at("rotation_deg"));
     return fixture;
 }
@@ -224,6 +224,7 @@ std::string text_of(const BookDifference& difference) {
             one["seen"] = words_of(d->seen, {}); // a key of programs, in English
             one["mean"] = d->mean;
             one["p99"] = d->p99;
+            one["max"] = d->max;
             one["share"] = d->share;
         }
         pictures.push_back(std::move(one));

@@ -157,7 +157,12 @@ void compare_fixtures(const Book& old, const Book& now, const PrintStyle& style,
         const BookFixture &fixture = now.fixtures[i], &was = *before[i];
         if (fixture.name != was.name)
             lines.add(style("%1 was called %2", {"%1", quoted(was.name)}), fixture.name);
-        const float way_m = glm::length(fixture.position_m - was.position_m);
+        const bool are_placed = fixture.position_m && was.position_m;
+        const float way_m = are_placed ? glm::length(*fixture.position_m - *was.position_m) : 0;
+        if (fixture.position_m && !was.position_m)
+            lines.add(style("%1 has a place, which was not known", {"%1"}), fixture.name);
+        if (!fixture.position_m && was.position_m)
+            lines.add(style("%1 has no place any more that is known", {"%1"}), fixture.name);
         if (way_m >= kLeastMove_m)
             lines.add(style("%1 moved by %2", {"%1", style.length_said(static_cast<double>(way_m))}),
                       fixture.name);

@@ -29,7 +29,8 @@ std::string all_addresses(const PatchedFixture& fixture, const PrintStyle& style
 
 std::string channels_text(const PatchedFixture& fixture) {
     std::string text;
-    const std::size_t parts = fixture.type ? fixture.patch().mode_of().footprint.size() : 0;
+    if (!is_mode_said(fixture)) return text;
+    const std::size_t parts = fixture.patch().mode_of().footprint.size();
     for (std::size_t part = 0; part < parts; ++part)
         text += (text.empty() ? "" : " + ") + std::to_string(footprint_of(fixture, part));
     return text;
@@ -63,7 +64,11 @@ std::string type_name(const PatchedFixture& fixture) {
 }
 
 std::string mode_name(const PatchedFixture& fixture) {
-    return fixture.type && !fixture.type->modes.empty() ? fixture.patch().mode_of().name : "";
+    return is_mode_said(fixture) ? fixture.patch().mode_of().name : "";
+}
+
+bool is_mode_said(const PatchedFixture& fixture) {
+    return fixture.type && !fixture.type->modes.empty() && fixture.is_mode_known;
 }
 
 std::vector<fixture::Address> addresses_of(const PatchedFixture& fixture) {
@@ -73,7 +78,7 @@ std::vector<fixture::Address> addresses_of(const PatchedFixture& fixture) {
 }
 
 int footprint_of(const PatchedFixture& fixture, std::size_t part) {
-    if (!fixture.type || fixture.type->modes.empty()) return 0;
+    if (!is_mode_said(fixture)) return 0;
     const std::vector<int>& footprint = fixture.patch().mode_of().footprint;
     return part < footprint.size() ? footprint[part] : 0;
 }
@@ -114,21 +119,32 @@ PaperTable instruments_of(const Show& show, const PrintStyle& style) {
                      {"W", true}};
     const std::vector<Hanging> hangings = hangings_of(show);
     std::size_t nowhere = 0, unread = 0;
+    std::vector<std::string> placeless, modeless;
+    const auto place = [&](const PatchedFixture& fixture, int axis) {
+        return fixture.is_place_known ? style.length(static_cast<double>(fixture.position_m[axis])) : "";
+    };
     for (const std::size_t i : in_hanging_order(hangings)) {
         const PatchedFixture& fixture = show.fixtures[i];
         const Hanging& hanging = hangings[i];
         table.rows.push_back(
             {{hanging.position, hanging.unit, fixture.fixture_id, fixture.name, type_name(fixture),
               mode_name(fixture), all_addresses(fixture, style), channels_text(fixture),
-              style.length(static_cast<double>(fixture.position_m.x)),
-              style.length(static_cast<double>(fixture.position_m.y)),
-              style.length(static_cast<double>(fixture.position_m.z)), hanging.function, hanging.filter,
+              place(fixture, 0), place(fixture, 1), place(fixture, 2), hanging.function, hanging.filter,
               hanging.gobo, hanging.focus, fixture.circuit, hanging.layer,
               said_weight(style, weight_kg_of(fixture)), said_power(style, power_w_of(fixture))}});
         if (hanging.position.empty()) ++nowhere;
         if (!fixture.type) ++unread;
+        if (!fixture.is_place_known) placeless.push_back(fixture.name);
+        if (fixture.type && !is_mode_said(fixture)) modeless.push_back(fixture.name);
     }
     drop_empty_columns(table);
+    if (!placeless.empty())
+        table.unknown.push_back(
+            style("Nobody says a place that can be used of %1.", {names_text(placeless, style)}));
+    if (!modeless.empty())
+        table.unknown.push_back(style("Nobody names a mode that the type has of %1: channels, and power where "
+                                      "modes differ in it, are not known.",
+                                      {names_text(modeless, style)}));
     if (nowhere == 1) table.unknown.push_back(style("What they hang on: 1 fixture does not say it."));
     if (nowhere > 1)
         table.unknown.push_back(

@@ -85,8 +85,14 @@ void say_unknown(PaperTable& table, const Show& show, const PrintStyle& style, s
 
 double power_w_of(const PatchedFixture& fixture) {
     if (!fixture.type) return 0;
-    if (fixture.type->modes.empty()) return static_cast<double>(fixture.type->properties.power_w);
-    return static_cast<double>(fixture::power_w_of(*fixture.type, fixture.patch().mode_of()));
+    const fixture::Type& type = *fixture.type;
+    if (type.modes.empty()) return static_cast<double>(type.properties.power_w);
+    const float power_w = fixture::power_w_of(type, fixture.patch().mode_of());
+    const bool is_known =
+        fixture.is_mode_known || std::all_of(type.modes.begin(), type.modes.end(), [&](const auto& mode) {
+            return fixture::power_w_of(type, mode) == power_w;
+        });
+    return is_known ? static_cast<double>(power_w) : 0;
 }
 
 std::string names_of(const Show& show, const std::vector<std::size_t>& fixtures) {
@@ -109,9 +115,10 @@ PaperTable plugs_of(const Show& show, const PrintStyle& style) {
     std::vector<std::size_t> unsaid;
     for (std::size_t i = 0; i < show.fixtures.size(); ++i) {
         const PatchedFixture& fixture = show.fixtures[i];
-        const bool has_mode = fixture.type && !fixture.type->modes.empty();
+        const bool is_known = is_mode_said(fixture) || power_w_of(fixture) > 0;
         const std::vector<fixture::PowerInput> inputs =
-            has_mode ? fixture::power_inputs_of(*fixture.type, fixture.patch().mode_of())
+            is_known && !fixture.type->modes.empty()
+                ? fixture::power_inputs_of(*fixture.type, fixture.patch().mode_of())
                      : std::vector<fixture::PowerInput>{};
         if (inputs.empty()) unsaid.push_back(i);
         for (const fixture::PowerInput& input : inputs) {

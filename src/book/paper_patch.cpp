@@ -51,7 +51,7 @@ void add_fixture(Segments& all, const PrintStyle& style, const PatchedFixture& f
         const fixture::Address& address = addresses[part];
         if (address.channel < 1 || address.channel > kSlots || address.universe < 1) continue;
         const int count = footprint_of(fixture, part);
-        if (fixture.type && count == 0) continue; // its mode has no channels there
+        if (is_mode_said(fixture) && count == 0) continue; // its mode has no channels there
         add(all, style, address, count,
             segment(part > 0 ? style("break %1", {std::to_string(part + 1)}) : ""));
     }

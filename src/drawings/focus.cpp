@@ -132,11 +132,15 @@ FocusChart focus_of(const Show& show, std::span<const fixture::State> states, co
     chart.moment = moment;
     chart.has_stage = find != nullptr;
     const std::vector<Hanging> hangings = hangings_of(show);
-    std::vector<std::string> beamless, aimless, angleless, irised, looked_past, near;
+    std::vector<std::string> beamless, unsaid, aimless, angleless, irised, looked_past, near;
     for (const std::size_t i : in_hanging_order(hangings)) {
         const PatchedFixture& fixture = show.fixtures[i];
         if (!fixture.type || i >= states.size() || states[i].beams.empty()) {
             beamless.push_back(fixture.name);
+            continue;
+        }
+        if (!fixture.is_place_known || !fixture.is_mode_known) {
+            unsaid.push_back(fixture.name);
             continue;
         }
         FocusLamp& lamp = chart.lamps.emplace_back();
@@ -180,6 +184,10 @@ FocusChart focus_of(const Show& show, std::span<const fixture::State> states, co
     if (!beamless.empty())
         chart.unknown.push_back(style("Without a beam, or without a file that could be read: %1.",
                                       {names_text(beamless, style)}));
+    if (!unsaid.empty())
+        chart.unknown.push_back(
+            style("Left out, for nobody says a place that can be used, or a mode that the type has: %1.",
+                  {names_text(unsaid, style)}));
     if (!aimless.empty())
         chart.unknown.push_back(
             style("Pan or tilt without a range in the file: where the beam goes is not known of %1.",

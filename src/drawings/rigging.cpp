@@ -145,7 +145,8 @@ class Neighbours {
 public:
     explicit Neighbours(const Show& show) {
         for (const PatchedFixture& fixture : show.fixtures)
-            if (std::isfinite(fixture.position_m.x)) places_m_.push_back(fixture.position_m);
+            if (fixture.is_place_known && std::isfinite(fixture.position_m.x))
+                places_m_.push_back(fixture.position_m);
         std::sort(places_m_.begin(), places_m_.end(), is_left);
     }
     bool has(const Bar& piece) const {
@@ -168,6 +169,7 @@ std::vector<RiggedFixture> rigged_fixtures(const Show& show, const Stage& stage)
     const std::vector<Hanging> hangings = hangings_of(show);
     std::vector<RiggedFixture> all;
     for (std::size_t i = 0; i < show.fixtures.size(); ++i) {
+        if (!show.fixtures[i].is_place_known) continue;
         RiggedFixture& rigged = all.emplace_back();
         rigged.fixture = i;
         rigged.kind = symbol_of(show.fixtures[i]);

@@ -60,7 +60,10 @@ void ObjectReader::layer(pugi::xml_node node, bool implied) {
     if (!implied) {
         layer.uuid = reader_.attribute(node, "uuid");
         layer.name = reader_.attribute(node, "name");
-        layer.local = reader_.matrix(node);
+        if (const auto matrix = reader_.matrix(node))
+            layer.local = *matrix;
+        else
+            layer.placed_by = PlacedBy::nobody;
     }
     reader_.plot().layers.push_back(std::move(layer));
     const int index = static_cast<int>(reader_.plot().layers.size()) - 1;
@@ -103,6 +106,7 @@ void ObjectReader::place(pugi::xml_node node, PlotObject& object) {
     if (is_usable(object.world)) return;
     reader_.say(Severity::error, node,
                 "lies further away than any stage, or is larger; it stays at the origin of what it hangs on");
+    object.placed_by = PlacedBy::nobody;
     object.local = glm::dmat4(1.0);
     object.world = to_world;
 }
@@ -149,7 +153,10 @@ void ObjectReader::object(pugi::xml_node node, ObjectKind kind, int layer, int p
     object.line = reader_.line_of(node);
     object.element = node.offset_debug();
     object.device.multipatch_uuid = reader_.attribute(node, "multipatch");
-    object.local = reader_.matrix(node);
+    if (const auto matrix = reader_.matrix(node))
+        object.local = *matrix;
+    else
+        object.placed_by = PlacedBy::nobody;
     place(node, object);
     content(node, object);
 

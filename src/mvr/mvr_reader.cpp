@@ -140,7 +140,7 @@ bool MvrReader::yes(pugi::xml_node node, bool fallback) {
     return fallback;
 }
 
-glm::dmat4 MvrReader::matrix(pugi::xml_node parent) {
+std::optional<glm::dmat4> MvrReader::matrix(pugi::xml_node parent) {
     const pugi::xml_node node = parent.child("Matrix");
     if (!node) return glm::dmat4(1.0);
     const std::string written = text(node);
@@ -150,11 +150,11 @@ glm::dmat4 MvrReader::matrix(pugi::xml_node parent) {
         say(Severity::error, node,
             "expected {u}{v}{w}{o}, four rows of three usable numbers (millimetres), found " +
                 short_text(written) + "; it stays at the origin of what it hangs on");
-        return glm::dmat4(1.0);
+        return std::nullopt;
     }
     if (glm::determinant(glm::dmat3(*value)) == 0.0)
         say(Severity::warning, node, "the matrix flattens what it places (its determinant is 0)");
-    return *value;
+    return value;
 }
 
 void MvrReader::unknown(pugi::xml_node node) {
@@ -214,7 +214,7 @@ std::vector<PlotGeometry> MvrReader::geometries(pugi::xml_node list) {
         if (tag == "Geometry3D" || tag == "Symbol") {
             if (!take_part(node)) break;
             PlotGeometry geometry;
-            geometry.local = matrix(node);
+            geometry.local = matrix(node).value_or(glm::dmat4(1.0));
             if (tag == "Geometry3D") {
                 geometry.mesh = mesh(node);
             } else {

@@ -156,6 +156,7 @@ void apply_change(PlotObject& object, const PlotChange& change) {
         break;
     case PlotChange::What::position:
         object.local = change.local;
+        object.placed_by = PlacedBy::change;
         break;
     case PlotChange::What::name:
         object.name = change.text;

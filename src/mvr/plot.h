@@ -185,6 +185,9 @@ struct PlotDevice {
     std::vector<PlotProtocol> protocols;
 };
 
+// Nobody: the plot's matrix cannot be used, and it stays at the origin of what it hangs on.
+enum class PlacedBy { plot, nobody, change };
+
 struct PlotObject {
     ObjectKind kind = ObjectKind::scene_object;
     std::string uuid;
@@ -194,6 +197,7 @@ struct PlotObject {
     std::vector<int> children; // Plot::objects
     glm::dmat4 local{1.0};     // in the frame of the parent (or layer), metres
     glm::dmat4 world{1.0};
+    PlacedBy placed_by = PlacedBy::plot;
     std::string class_uuid;
     int plot_class = -1; // Plot::classes
     std::vector<PlotGeometry> geometries;
@@ -210,6 +214,7 @@ struct PlotLayer {
     std::string uuid;
     std::string name;
     glm::dmat4 local{1.0};
+    PlacedBy placed_by = PlacedBy::plot;
     std::vector<int> objects; // the top ones: Plot::objects
     bool implied = false;     // the file has objects in no layer: they lie in this one
     int line = 0;

@@ -106,11 +106,13 @@ std::vector<PlotChange> apply_changes(Plot& plot, const std::vector<ChangeEntry>
         update_world(plot, found); // what is above it may have been moved
         PlotObject& object = plot.objects[static_cast<std::size_t>(found)];
         const std::size_t first = changes.size();
+        const PlacedBy placed_by = object.placed_by;
         add_changes(plot, object, entry, origin_m, changes);
         for (std::size_t k = first; k < changes.size(); ++k) {
             apply_change(object, changes[k]);
             is_moved = is_moved || changes[k].what == PlotChange::What::position;
         }
+        if (!entry.position_m) object.placed_by = placed_by; // a turn places nothing
     }
     if (is_moved) update_world(plot);
     return changes;

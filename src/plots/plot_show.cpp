@@ -13,6 +13,7 @@
 #include <atomic>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <set>
 #include <utility>
 
@@ -88,10 +89,18 @@ public:
         const PlotObject& object = loaded_.plot.objects[static_cast<std::size_t>(index)];
         worlds_.push_back(object.world);
         fixture_of_.push_back(-1);
+        bool is_known = true;
         if (object.parent >= 0) {
             const auto parent = static_cast<std::size_t>(object.parent);
-            worlds_.back() = worlds_[parent] * child_position(object, fixture_of_[parent]) * object.local;
+            const auto hung = child_position(object, fixture_of_[parent]);
+            worlds_.back() = worlds_[parent] * hung.value_or(glm::dmat4(1.0)) * object.local;
+            is_known = hung && are_known_[parent];
+        } else if (object.layer >= 0) {
+            const PlotLayer& layer = loaded_.plot.layers[static_cast<std::size_t>(object.layer)];
+            is_known = layer.placed_by != PlacedBy::nobody;
         }
+        are_known_.push_back(object.placed_by == PlacedBy::change ||
+                             (is_known && object.placed_by == PlacedBy::plot));
         if (adds && is_wall(object))
             add_wall(index, object);
         else if (adds)
@@ -132,6 +141,7 @@ private:
         const PlotTypes::Found found = types_.find(device, place_of(loaded_, object));
         fixture.type = found.type;
         fixture.mode = found.mode;
+        fixture.is_mode_known = found.is_mode_known;
         std::string name = clean(object.name);
         if (name.empty() && fixture.type) name = clean(fixture.type->name);
         fixture.name = names_.take(name.empty() ? "Fixture" : name);
@@ -208,8 +218,8 @@ private:
     }
 
     // What hangs on a geometry of a fixture counts its matrix from there ("Base.Yoke.Head"; MVR 1.6,
-    // ChildPosition). The fixture is taken as it hangs at home.
-    glm::dmat4 child_position(const PlotObject& object, int parent_fixture) {
+    // ChildPosition). The fixture is taken as it hangs at home. Nothing: there is no such geometry.
+    std::optional<glm::dmat4> child_position(const PlotObject& object, int parent_fixture) {
         const std::string& path = object.device.child_position;
         if (path.empty() || parent_fixture < 0) return glm::dmat4(1.0);
         const PatchedFixture& parent = show_.fixtures[static_cast<std::size_t>(parent_fixture)];
@@ -220,7 +230,7 @@ private:
             if (mode.nodes[k].name == path || mode.nodes[k].name == last)
                 return glm::dmat4(node_to_fixture(mode, static_cast<int>(k)));
         unhung_.push_back(object.name);
-        return glm::dmat4(1.0);
+        return std::nullopt;
     }
 
     void place(const PlotObject& object, PatchedFixture& fixture) {
@@ -229,6 +239,7 @@ private:
         if (aim(object, fixture, world)) aimed_.push_back(fixture.name);
         const Placement placement = placement_of(world);
         fixture.position_m = placement.position_m;
+        fixture.is_place_known = are_known_.back();
         fixture.rotation_deg = placement.rotation_deg;
         if (placement.mirrored) mirrored_.push_back(fixture.name);
         if (placement.scaled) scaled_.push_back(fixture.name);
@@ -267,6 +278,7 @@ private:
     Report& report_;
     Names names_;
     std::vector<glm::dmat4> worlds_; // per object, with child positions
+    std::vector<bool> are_known_;    // per object: whether somebody says its place
     std::vector<int> fixture_of_;    // per object: Show::fixtures, or -1
     std::vector<std::string> mirrored_;
     std::vector<std::string> scaled_;

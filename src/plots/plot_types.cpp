@@ -137,12 +137,16 @@ const SubstituteEntry* PlotTypes::substitute_for(const PlotGdtf& gdtf) const {
 PlotTypes::Found PlotTypes::find(const PlotDevice& device, const std::string& where) {
     if (device.gdtf < 0) return {};
     const File& file_of_plot = file(device.gdtf);
-    Found found{file_of_plot.type, 0};
+    Found found{.type = file_of_plot.type};
     if (!found.type) return found;
     const bool is_chosen = file_of_plot.substitute && !file_of_plot.substitute->mode.empty();
     const std::string& wanted = is_chosen ? file_of_plot.substitute->mode : device.gdtf_mode;
-    if (wanted.empty()) return found; // programs that know one mode only leave its name out
+    if (wanted.empty()) { // programs that know one mode only leave its name out
+        found.is_mode_known = found.type->modes.size() == 1;
+        return found;
+    }
     if (const int same = mode_named(*found.type, wanted); same >= 0) return {found.type, same};
+    found.is_mode_known = false;
     if (wrong_modes_.size() >= kMostWrongModes && !wrong_modes_.contains({device.gdtf, wanted})) {
         ++more_wrong_modes_;
         return found;

@@ -30,6 +30,7 @@ public:
     struct Found {
         std::shared_ptr<const fixture::Type> type; // null: the fixture stays dark
         int mode = 0;
+        bool is_mode_known = true; // false: the plot names none of the type's, and it gets one
     };
     // where: of the fixture, for messages.
     Found find(const PlotDevice& device, const std::string& where);

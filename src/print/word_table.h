@@ -81,6 +81,21 @@ inline constexpr Translation kWords[] = {
     {"The file of the type could not be read of %1: type, mode, channels, weight and power are not known.",
      "Die Datei des Typs war bei %1 nicht lesbar: Typ, Modus, Kanäle, Gewicht und Leistung sind nicht "
      "bekannt."},
+    {"Nobody says a place that can be used of %1.", "Niemand nennt einen brauchbaren Ort von %1."},
+    {"Nobody names a mode that the type has of %1: channels, and power where modes differ in it, are not "
+     "known.",
+     "Niemand nennt einen Modus von %1, den der Typ hat: Kanäle, und die Leistung, wo Modi sich darin "
+     "unterscheiden, sind nicht bekannt."},
+    {"nobody says a place that can be used of %1: they are drawn at the origin of what they hang on",
+     "niemand nennt einen brauchbaren Ort von %1: gezeichnet sind sie am Ursprung dessen, woran sie hängen"},
+    {"nobody names a mode that the type has of %1: what they do is read as in another one of its",
+     "niemand nennt einen Modus von %1, den der Typ hat: was sie tun, ist wie in einem anderen gelesen"},
+    {"%1 has a place, which was not known", "%1 hat einen Ort, der nicht bekannt war"},
+    {"%1 has no place any more that is known", "%1 hat keinen bekannten Ort mehr"},
+    {"Left out, for nobody says a place that can be used, or a mode that the type has: %1.",
+     "Ausgelassen, denn niemand nennt einen brauchbaren Ort, oder einen Modus, den der Typ hat: %1."},
+    {"Not drawn, for nobody says a place that can be used: %1.",
+     "Nicht gezeichnet, denn niemand nennt einen brauchbaren Ort: %1."},
     {"The number by which a desk calls them: 1 fixture does not say it, and is sorted by name.",
      "Die Nummer, mit der ein Pult sie ruft: 1 Gerät sagt sie nicht und ist nach Namen sortiert."},
     {"The number by which a desk calls them: %1 fixtures do not say it, and are sorted by name.",

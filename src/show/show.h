@@ -101,6 +101,9 @@ struct PatchedFixture {
     std::shared_ptr<const fixture::Type>
         type;         // null where the file could not be read: the fixture stays dark
     int mode = 0;     // index into type->modes
+    // False: none is written that can be read, or that the type has, and it has been given one.
+    bool is_mode_known = true;
+    bool is_place_known = true;
     int universe = 1; // 1-based
     int address = 1;  // 1-based, of break 1; 0: not patched
     std::vector<fixture::Address> more_addresses; // of breaks 2, 3, ...

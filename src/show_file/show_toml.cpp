@@ -142,6 +142,7 @@ PatchedFixture read_fixture(TableReader& reader, const std::string& name, const 
     }
     const auto position = reader.vec3("position_m", kMaxCoordinate_m);
     put_value(fixture.position_m, position);
+    fixture.is_place_known = position || fixture.track;
     if (fixture.track) {
         fixture.position_m = fixture.track->stops_m.front();
         if (position)

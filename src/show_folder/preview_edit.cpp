@@ -37,7 +37,10 @@ Result<Show> preview_edit(const Show& before, const std::string& text) {
         for (const ChangeEntry& change : parsed.changes) {
             if (change.uuid != fixture.uuid) continue;
             if (change.name) fixture.name = *change.name;
-            if (change.position_m) fixture.position_m = *change.position_m;
+            if (change.position_m) {
+                fixture.position_m = *change.position_m;
+                fixture.is_place_known = true;
+            }
             if (change.rotation_deg) fixture.rotation_deg = *change.rotation_deg;
             if (change.hidden) hidden = *change.hidden;
             if (change.circuit) fixture.circuit = *change.circuit;
@@ -46,8 +49,10 @@ Result<Show> preview_edit(const Show& before, const std::string& text) {
                 fixture.address = change.address->channel;
             }
             if (change.mode && fixture.type)
-                if (const auto mode = fixture::find_mode(*fixture.type, *change.mode); mode.ok())
+                if (const auto mode = fixture::find_mode(*fixture.type, *change.mode); mode.ok()) {
                     fixture.mode = *mode;
+                    fixture.is_mode_known = true;
+                }
         }
         if (!hidden) show.fixtures.push_back(std::move(fixture));
     }

@@ -131,6 +131,7 @@ void load_types(ParsedShow& parsed, KnownTypes known, Report& report) {
             library.find(parsed.show.folder / fixture.gdtf, file_line(file, source.gdtf_line), report);
         if (!fixture.type) continue;
         const auto mode = fixture::find_mode(*fixture.type, source.mode, suggestions);
+        fixture.is_mode_known = mode.ok() && (!source.mode.empty() || fixture.type->modes.size() == 1);
         if (mode.ok())
             fixture.mode = *mode;
         else

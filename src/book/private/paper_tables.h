@@ -32,7 +32,9 @@ std::string said_address(const PrintStyle& style, int universe, int channel);
 
 // "Vari-Lite VL2500 Spot"; "": its file could not be read.
 std::string type_name(const PatchedFixture& fixture);
-std::string mode_name(const PatchedFixture& fixture);
+std::string mode_name(const PatchedFixture& fixture); // "": not known
+// Its type was read, and it is in a mode of the type's that somebody names.
+bool is_mode_said(const PatchedFixture& fixture);
 // Addresses of all breaks, 0 where one is not patched.
 std::vector<fixture::Address> addresses_of(const PatchedFixture& fixture);
 // Of a break; 0: not known.

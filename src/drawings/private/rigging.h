@@ -39,7 +39,7 @@ struct HungBar {
 };
 
 struct Rigging {
-    std::vector<RiggedFixture> fixtures; // of the show, in its order
+    std::vector<RiggedFixture> fixtures; // of the show that have a place, in its order
     std::vector<HungBar> bars;
     std::vector<bool> are_slender;   // instances of the stage that are a truss or a pipe
     std::size_t pieces_left_out = 0; // of trusses and pipes: there are more than kMostBars

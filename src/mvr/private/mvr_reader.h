@@ -64,8 +64,8 @@ public:
     int integer(pugi::xml_node node, int fallback); // fallback and a message where it is none
     double number(pugi::xml_node node, const std::string& written, double fallback);
     bool yes(pugi::xml_node node, bool fallback);
-    // Identity (and a message) where Matrix is missing or broken.
-    glm::dmat4 matrix(pugi::xml_node parent);
+    // Identity where there is none. Nothing, and a message: it cannot be used.
+    std::optional<glm::dmat4> matrix(pugi::xml_node parent);
     void unknown(pugi::xml_node node);
     // One more geometry, address, command ..: false where there are too many of them.
     bool take_part(pugi::xml_node node);
