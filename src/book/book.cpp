@@ -35,13 +35,13 @@ Book book_of(const Show& show, const PrintStyle& style) {
             style("%1 fixtures have no file that could be read: their light is in no picture",
                   {std::to_string(unread)}));
     if (!placeless.empty())
-        book.unknown.push_back(
-            style("nobody says a place that can be used of %1: they are drawn at the origin of what they hang on",
-                  {names_text(placeless, style)}));
+        book.unknown.push_back(style(
+            "nobody says a place that can be used of %1: they are drawn at the origin of what they hang on",
+            {names_text(placeless, style)}));
     if (!modeless.empty())
-        book.unknown.push_back(
-            style("nobody names a mode that the type has of %1: what they do is read as in another one of its",
-                  {names_text(modeless, style)}));
+        book.unknown.push_back(style(
+            "nobody names a mode that the type has of %1: what they do is read as in another one of its",
+            {names_text(modeless, style)}));
     if (show.fixtures.empty()) book.unknown.push_back(style("the show has no fixtures"));
     return book;
 }

@@ -128,10 +128,10 @@ PaperTable instruments_of(const Show& show, const PrintStyle& style) {
         const Hanging& hanging = hangings[i];
         table.rows.push_back(
             {{hanging.position, hanging.unit, fixture.fixture_id, fixture.name, type_name(fixture),
-              mode_name(fixture), all_addresses(fixture, style), channels_text(fixture),
-              place(fixture, 0), place(fixture, 1), place(fixture, 2), hanging.function, hanging.filter,
-              hanging.gobo, hanging.focus, fixture.circuit, hanging.layer,
-              said_weight(style, weight_kg_of(fixture)), said_power(style, power_w_of(fixture))}});
+              mode_name(fixture), all_addresses(fixture, style), channels_text(fixture), place(fixture, 0),
+              place(fixture, 1), place(fixture, 2), hanging.function, hanging.filter, hanging.gobo,
+              hanging.focus, fixture.circuit, hanging.layer, said_weight(style, weight_kg_of(fixture)),
+              said_power(style, power_w_of(fixture))}});
         if (hanging.position.empty()) ++nowhere;
         if (!fixture.type) ++unread;
         if (!fixture.is_place_known) placeless.push_back(fixture.name);
@@ -142,9 +142,10 @@ PaperTable instruments_of(const Show& show, const PrintStyle& style) {
         table.unknown.push_back(
             style("Nobody says a place that can be used of %1.", {names_text(placeless, style)}));
     if (!modeless.empty())
-        table.unknown.push_back(style("Nobody names a mode that the type has of %1: channels, and power where "
-                                      "modes differ in it, are not known.",
-                                      {names_text(modeless, style)}));
+        table.unknown.push_back(
+            style("Nobody names a mode that the type has of %1: channels, and power where "
+                  "modes differ in it, are not known.",
+                  {names_text(modeless, style)}));
     if (nowhere == 1) table.unknown.push_back(style("What they hang on: 1 fixture does not say it."));
     if (nowhere > 1)
         table.unknown.push_back(

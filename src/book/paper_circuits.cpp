@@ -119,7 +119,7 @@ PaperTable plugs_of(const Show& show, const PrintStyle& style) {
         const std::vector<fixture::PowerInput> inputs =
             is_known && !fixture.type->modes.empty()
                 ? fixture::power_inputs_of(*fixture.type, fixture.patch().mode_of())
-                     : std::vector<fixture::PowerInput>{};
+                : std::vector<fixture::PowerInput>{};
         if (inputs.empty()) unsaid.push_back(i);
         for (const fixture::PowerInput& input : inputs) {
             const std::string low = said_number(style, static_cast<double>(input.voltage_low_v), 0),

@@ -52,13 +52,18 @@ std::string html_table(const PaperTable& table, const PrintStyle& style) {
 
 std::string csv_of(const PaperTable& table) {
     std::string text = "\xef\xbb\xbf";
-    const auto line = [&](const auto& cell_of) {
-        for (std::size_t k = 0; k < table.columns.size(); ++k) text += (k > 0 ? "," : "") + cell_of(k);
+    for (std::size_t k = 0; k < table.columns.size(); ++k)
+        text += (k > 0 ? "," : "") + csv_cell(table.columns[k].title, false);
+    return text + "\r\n" + csv_rows_of(table);
+}
+
+std::string csv_rows_of(const PaperTable& table) {
+    std::string text;
+    for (const PaperRow& row : table.rows) {
+        for (std::size_t k = 0; k < row.cells.size(); ++k)
+            text += (k > 0 ? "," : "") + csv_cell(row.cells[k], table.columns[k].is_number);
         text += "\r\n";
-    };
-    line([&](std::size_t k) { return csv_cell(table.columns[k].title, false); });
-    for (const PaperRow& row : table.rows)
-        line([&](std::size_t k) { return csv_cell(row.cells[k], table.columns[k].is_number); });
+    }
     return text;
 }
 

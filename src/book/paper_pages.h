@@ -13,6 +13,7 @@ namespace ghost::scene {
 
 // A text that a spreadsheet would take for a formula gets a ' before it: names come from outside.
 std::string csv_of(const PaperTable& table);
+std::string csv_rows_of(const PaperTable& table); // without mark and titles, to be put behind others
 
 // A PDF that lies beside the page.
 struct PaperDrawing {

@@ -67,6 +67,7 @@ Result<void> make_book(BookArguments& arguments) {
     const scene::BookLayout layout =
         arguments.layout == "grid" ? scene::BookLayout::grid : scene::BookLayout::list;
     TRY_VOID(write_file_atomic(folder.written_to() / kBookFile, scene::text_of(drawn.book)));
+    TRY_VOID(write_file_atomic(folder.written_to() / "values.csv", drawn.values_csv));
     if (difference)
         TRY_VOID(write_file_atomic(folder.written_to() / "difference.json", scene::text_of(*difference)));
     TRY_VOID(write_file_atomic(folder.written_to() / "index.html",

@@ -282,6 +282,8 @@ inline constexpr Translation kWords[] = {
     {"look '%1'", "Look '%1'"},
     {"fade %1 s", "Überblendung %1 s"},
     {"the next one follows after %1 s", "der nächste folgt nach %1 s"},
+    {"values.csv is full: it has not the lamps of %1 entries",
+     "values.csv ist voll: die Lampen von %1 Einträgen fehlen darin"},
     {"and %1 more changes, which book.json has", "und %1 weitere Änderungen, die in book.json stehen"},
     {"the show has no look '%1'", "die Show hat keinen Look '%1'"},
     {"the show has no camera '%1'", "die Show hat keine Kamera '%1'"},

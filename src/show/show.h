@@ -99,13 +99,13 @@ struct PatchedFixture {
     std::string name;
     std::filesystem::path gdtf; // as written
     std::shared_ptr<const fixture::Type>
-        type;         // null where the file could not be read: the fixture stays dark
-    int mode = 0;     // index into type->modes
+        type;     // null where the file could not be read: the fixture stays dark
+    int mode = 0; // index into type->modes
     // False: none is written that can be read, or that the type has, and it has been given one.
     bool is_mode_known = true;
     bool is_place_known = true;
-    int universe = 1; // 1-based
-    int address = 1;  // 1-based, of break 1; 0: not patched
+    int universe = 1;                             // 1-based
+    int address = 1;                              // 1-based, of break 1; 0: not patched
     std::vector<fixture::Address> more_addresses; // of breaks 2, 3, ...
     bool invert_pan = false;                      // the desk's values count the other way round
     bool invert_tilt = false;

@@ -48,6 +48,7 @@ void ServerLoop::read_news() {
     }
     if (auto news = link_.messages.take_second()) {
         said_ = std::move(*news);
+        folders_.take(opened_ ? opened_->show.get() : nullptr, said_);
         messages_.reset();
         ++messages_version_;
     }
@@ -64,7 +65,7 @@ void ServerLoop::read_news() {
     encoder_.finish();
     reader_.finish();
     if (auto news = link_.answer.take()) {
-        const Packed explained = packed_text(explained_text(*news));
+        const Packed explained = packed_text(folders_.taken_out(explained_text(*news)));
         for (Guest& guest : guests_) {
             if (!guest.viewer || guest.viewer->asks != news->fixture) continue;
             guest.viewer->asks.reset();
@@ -102,15 +103,16 @@ void ServerLoop::answer_commands() {
         if (asked == asked_.end()) continue;
         for (Guest& guest : guests_)
             if (guest.viewer && guest.viewer->id == asked->viewer)
-                guest.connection.put(build_text(answered.refused.empty()
-                                                    ? done_text(asked->n)
-                                                    : refused_text(asked->n, answered.refused)));
+                guest.connection.put(build_text(
+                    answered.refused.empty() ? done_text(asked->n)
+                                             : folders_.taken_out(refused_text(asked->n, answered.refused))));
         asked_.erase(asked);
     }
 }
 
 void ServerLoop::take_opened(ui::Opened opened) {
     opened_ = std::move(opened);
+    folders_.take(opened_->show.get(), said_);
     patch_ = opened_->show ? scene::PatchMap(*opened_->show) : scene::PatchMap();
     rig_.reset();
     asking_.reset();
@@ -153,7 +155,7 @@ void ServerLoop::offer_news(Guest& guest) {
         viewer.show = show_version_;
     }
     if (viewer.messages != messages_version_) {
-        if (!messages_) messages_ = packed_text(messages_text(said_));
+        if (!messages_) messages_ = packed_text(folders_.taken_out(messages_text(said_)));
         guest.connection.put(messages_);
         viewer.messages = messages_version_;
     }
@@ -257,7 +259,7 @@ const Packed& ServerLoop::state() {
         const std::lock_guard lock(gate_.mutex);
         gate_.lookers = what.lookers;
     }
-    return state_ = packed_text(state_text(what));
+    return state_ = packed_text(folders_.taken_out(state_text(what)));
 }
 
 } // namespace ghost::web

@@ -5,12 +5,16 @@
 #include "book/book_html.h"
 #include "book/book_json.h"
 #include "book/book_plan.h"
+#include "book/book_values.h"
 #include "book/rests.h"
 #include "show/limits.h"
 #include "show/looks.h"
 #include "show/show.h"
+#include "support/must.h"
 
+#include <algorithm>
 #include <gtest/gtest.h>
+#include <memory>
 
 namespace ghost::scene {
 namespace {
@@ -44,7 +48,7 @@ Book small_book() {
     book.device = "device";
     book.unknown = {"one thing"};
     book.fixtures.push_back(
-        {"Spot 1", "101", "uuid", "Maker Spot", "Standard", {{1, 2}, {3, 0}}, {1, 2.5f, 3}});
+        {"Spot 1", "101", "uuid", "Maker Spot", "Standard", {{1, 2}, {3, 0}}, glm::vec3(1, 2.5f, 3), {}});
     BookEntry& entry = book.entries.emplace_back();
     entry.name = "Verse";
     entry.number = "47.5";
@@ -162,6 +166,54 @@ TEST(BookFile, comes_back_as_it_was) {
     ASSERT_TRUE(read.ok()) << read.error().text();
     EXPECT_EQ(text_of(*read), text);
     EXPECT_EQ(read->entries, book.entries);
+}
+
+TEST(BookFile, has_no_place_of_a_fixture_that_has_none) {
+    Book book = small_book();
+    book.fixtures.resize(1);
+    book.fixtures[0].position_m = std::nullopt;
+    const std::string text = text_of(book);
+    EXPECT_NE(text.find("\"position_m\": null"), std::string::npos) << text;
+    EXPECT_FALSE(must(book_from(text, "x")).fixtures[0].position_m);
+}
+
+TEST(Values, are_those_of_lamps_that_shine) {
+    Show show;
+    show.fixtures.resize(3);
+    for (PatchedFixture& fixture : show.fixtures) fixture.type = std::make_shared<fixture::Type>();
+    show.fixtures[0].name = "Spot, left";
+    show.fixtures[0].fixture_id = "101";
+    show.fixtures[2].is_mode_known = false;
+    std::vector<FixtureValues> values(3);
+    values[0].light_percent = 80;
+    values[0].pan_deg = -12.5f;
+    values[2].light_percent = 100;
+    BookEntry entry;
+    entry.number = "2.5";
+    entry.name = "Verse";
+    BookValues all;
+    all.add(BookEntry{}, show, std::vector<FixtureValues>(3));
+    all.add(entry, show, values);
+    const std::string& csv = all.csv();
+    EXPECT_TRUE(csv.starts_with("\xef\xbb\xbf"
+                                "entry,entry_number,entry_name,fixture_number,fixture,"));
+    EXPECT_NE(csv.find("\r\n2,2.5,Verse,101,\"Spot, left\",open,open,80,"), std::string::npos) << csv;
+    EXPECT_NE(csv.find(",-12.5,0\r\n"), std::string::npos) << csv;
+    EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 2);
+}
+
+TEST(Values, are_whole_entries_up_to_kMostValuesBytes) {
+    Show show;
+    show.fixtures.resize(1);
+    show.fixtures[0].type = std::make_shared<fixture::Type>();
+    show.fixtures[0].name = std::string(kMostValuesBytes / 2 - 1000, 'x');
+    std::vector<FixtureValues> values(1);
+    values[0].light_percent = 100;
+    BookValues all;
+    for (int entry = 0; entry < 3; ++entry) all.add(BookEntry{}, show, values);
+    EXPECT_EQ(all.left_out(), 1u);
+    EXPECT_LE(all.csv().size(), kMostValuesBytes);
+    EXPECT_TRUE(all.csv().ends_with("\r\n"));
 }
 
 TEST(BookFile, every_beginning_is_refused_with_its_name) {

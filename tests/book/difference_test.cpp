@@ -21,7 +21,7 @@ Book book(const std::vector<std::string>& entries) {
 }
 
 BookFixture spot(const std::string& name, int channel, const std::string& uuid = "") {
-    return {name, "", uuid, "Maker Spot", "Standard", {{1, channel}}, {0, 0, 6}, glm::vec3(0)};
+    return {name, "", uuid, "Maker Spot", "Standard", {{1, channel}}, glm::vec3(0, 0, 6), glm::vec3(0)};
 }
 
 TEST(Difference, of_equal_books_is_nothing) {
@@ -103,13 +103,23 @@ TEST(Difference, names_fixtures_that_are_new_gone_moved_and_patched) {
     Book old, now;
     old.fixtures = {spot("Spot 1", 1), spot("Spot 2", 23), spot("Spot 3", 45), spot("Old", 100, "u1")};
     now.fixtures = {spot("Spot 1", 1), spot("Spot 2", 23), spot("New name", 100, "u1"), spot("Spot 4", 67)};
-    now.fixtures[0].position_m.x = now.fixtures[1].position_m.x = 0.4f;
+    now.fixtures[0].position_m->x = now.fixtures[1].position_m->x = 0.4f;
     now.fixtures[1].addresses = {{2, 23}};
     now.fixtures[0].mode = "Extended";
     EXPECT_EQ(difference_of(old, now).fixtures,
               (Sentences{"Spot 4 is new", "Spot 3 is gone", "Spot 1-2 moved by 0.4 m",
                          "Spot 1 is 'Maker Spot' in mode 'Extended', was 'Maker Spot' in mode 'Standard'",
                          "Spot 2 is patched at 2.23, was at 1.23", "New name was called 'Old'"}));
+}
+
+TEST(Difference, does_not_measure_from_a_place_that_nobody_knows) {
+    Book old, now;
+    old.fixtures = {spot("Spot 1", 1), spot("Spot 2", 23), spot("Spot 3", 45)};
+    now.fixtures = old.fixtures;
+    old.fixtures[0].position_m = old.fixtures[2].position_m = now.fixtures[1].position_m =
+        now.fixtures[2].position_m = std::nullopt;
+    EXPECT_EQ(difference_of(old, now).fixtures, (Sentences{"Spot 1 has a place, which was not known",
+                                                           "Spot 2 has no place any more that is known"}));
 }
 
 TEST(Difference, of_a_name_that_was_hung_anew_is_the_same_fixture) {

@@ -122,6 +122,34 @@ TEST(Patch, is_not_certain_behind_a_fixture_of_unknown_length) {
               (Cells{"missing", "free at most", "known", "free at most"}));
 }
 
+TEST(Patch, has_no_channels_of_a_mode_that_nobody_names) {
+    Show show;
+    show.fixtures = {hung("a", 1, 1), hung("b", 1, 30)};
+    show.fixtures[0].is_mode_known = false;
+    const PaperTable patch = table(paper_of(show), "patch");
+    EXPECT_EQ(column(patch, "name"), (Cells{"a", "free at most", "b", "free at most"}));
+    EXPECT_EQ(column(patch, "mode"), (Cells{"", "", "Standard", ""}));
+    EXPECT_EQ(column(patch, "remarks")[0], "how many channels is not known");
+}
+
+TEST(Instruments, leave_empty_what_was_replaced_while_loading) {
+    Show show;
+    show.fixtures = {hung("a", 1, 1), hung("b", 1, 30)};
+    show.fixtures[0].is_mode_known = false;
+    show.fixtures[1].is_place_known = false;
+    const PaperTable schedule = table(paper_of(show), "instruments");
+    EXPECT_EQ(column(schedule, "mode"), (Cells{"", "Standard"}));
+    EXPECT_EQ(column(schedule, "channels"), (Cells{"", "3"}));
+    EXPECT_EQ(column(schedule, "x m"), (Cells{"0", ""}));
+    EXPECT_EQ(column(schedule, "z m"), (Cells{"0", ""}));
+    ASSERT_GE(schedule.unknown.size(), 2u);
+    EXPECT_EQ(schedule.unknown[0], "Nobody says a place that can be used of b.");
+    EXPECT_TRUE(schedule.unknown[1].starts_with("Nobody names a mode that the type has of a:"));
+    EXPECT_TRUE(table(paper_of(show, {.language = Language::german}), "instruments")
+                    .unknown[0]
+                    .starts_with("Niemand nennt einen brauchbaren Ort von b"));
+}
+
 TEST(Instruments, leave_out_breaks_that_their_mode_does_not_have) {
     Show show;
     show.fixtures = {hung("a", 1, 1), hung("b", 1, 0), hung("c", 1, 4)};

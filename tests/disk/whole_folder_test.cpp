@@ -87,6 +87,15 @@ TEST(WholeFolder, never_replaces_a_folder_with_a_file_of_the_same_name) {
     EXPECT_EQ(must(read_text_file(out / "book.json", 10)), "{}");
 }
 
+TEST(WholeFolder, replaces_none_whose_list_is_above_64_MiB) {
+    const TestFolder home;
+    const fs::path out = home.path / "book";
+    make(out, "cue book", "1");
+    fs::resize_file(out / ".ghostlight", (std::uintmax_t{64} << 20) + 1);
+    EXPECT_FALSE(WholeFolder::open(out, "cue book").ok());
+    EXPECT_TRUE(fs::exists(out / "book.json"));
+}
+
 TEST(WholeFolder, leaves_what_was_there_when_it_is_given_up) {
     const TestFolder home;
     const fs::path out = home.path / "book";

@@ -417,6 +417,18 @@ TEST(Sheets, say_that_there_is_no_stage_where_lamps_have_bodies) {
     }
 }
 
+TEST(Sheets, draw_nobody_whose_place_is_not_known) {
+    Show show = show_of(2);
+    show.fixtures[1].is_place_known = false;
+    const Stage stage;
+    const LaidOut plan(show, stage, from_above(), true);
+    EXPECT_EQ(plan.drawing.rig().size(), 1u);
+    const std::vector<std::string>& said = plan.drawing.remarks();
+    EXPECT_EQ(
+        std::count(said.begin(), said.end(), "Not drawn, for nobody says a place that can be used: Spot 2."),
+        1);
+}
+
 TEST(Sheets, of_a_cut_section_count_what_is_left) {
     const Show show = show_of(10); // from -4.5 m to 4.5 m
     const Stage stage;

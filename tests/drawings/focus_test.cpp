@@ -131,6 +131,17 @@ TEST(Focus, charts_have_equal_bytes_and_name_who_has_no_beam) {
     EXPECT_TRUE(report.messages.empty());
 }
 
+TEST(Focus, leaves_out_whose_place_or_mode_nobody_knows) {
+    Show show = lamp_at(30);
+    show.fixtures.resize(3, show.fixtures[0]);
+    show.fixtures[0].is_place_known = show.fixtures[1].is_mode_known = false;
+    show.fixtures[0].name = "Nowhere";
+    show.fixtures[1].name = "Modeless";
+    const FocusChart chart = focus_of(show, states_of(show), {}, {}, "Now.");
+    EXPECT_EQ(chart.lamps.size(), 1u);
+    EXPECT_NE(chart.unknown.back().find("Nowhere, Modeless"), std::string::npos) << chart.unknown.back();
+}
+
 TEST(Focus, is_where_movers_carry_a_lamp) {
     const Show show = lamp_at(0);
     const std::array moved{glm::translate(glm::mat4(1.0f), {2, 0, -3})};

@@ -210,6 +210,43 @@ TEST(PlotShow, MissingFixtureFilesAndModes) {
     EXPECT_TRUE(rig.states()[0].beams.empty());
 }
 
+TEST(PlotShow, KnowsWhichModesAndPlacesNobodySays) {
+    const std::string nowhere = "{nan,0,0}{0,1,0}{0,0,1}{0,0,0}";
+    const std::string two_modes = R"(<DMXMode Name="Wide" Geometry="Base"/>)";
+    const std::string xml =
+        small_xml(fixture_xml(20, "Good", kIdentity + "{0,0,5000}", "") +
+                  fixture_xml(21, "Odd mode", kIdentity + "{0,0,5000}", "", "Head.gdtf", "standart") +
+                  fixture_xml(22, "No mode", kIdentity + "{0,0,5000}", "", "Head.gdtf", "") +
+                  fixture_xml(23, "One mode", kIdentity + "{0,0,5000}", "", "Tiny.gdtf", "") +
+                  fixture_xml(24, "Nowhere", nowhere, "") + fixture_xml(25, "Put right", nowhere, "") +
+                  fixture_xml(26, "Turned only", nowhere, "") +
+                  object_xml(30, "Far truss", kIdentity + "{0,0,1e12}", "",
+                             "<ChildList>" + fixture_xml(27, "Below it", kIdentity + "{0,0,5000}", "") +
+                                 "</ChildList>"));
+    const fs::path folder = scratch("unsaid");
+    write_mvr(
+        folder / "plot.mvr", xml,
+        {{"Head.gdtf", head_gdtf(two_modes)},
+         {"Tiny.gdtf", text_of(fixture::make_zip({{"description.xml", fixture::Description{}.xml()}}))}});
+    std::ofstream(folder / "show.toml")
+        << "plot = \"plot.mvr\"\n"
+        << "[[change]]\nuuid = \"" << uuid(25) << "\"\nposition_m = [1, 2, 3]\n"
+        << "[[change]]\nuuid = \"" << uuid(26) << "\"\nrotation_deg = [0, 90, 0]\n";
+    Report report;
+    const Show show = opened(folder, report);
+    for (const auto& [name, mode, place] : {std::tuple{"Good", true, true},
+                                            {"Odd mode", false, true},
+                                            {"No mode", false, true},
+                                            {"One mode", true, true},
+                                            {"Nowhere", true, false},
+                                            {"Put right", true, true},
+                                            {"Turned only", true, false},
+                                            {"Below it", true, false}}) {
+        EXPECT_EQ(named(show, name).is_mode_known, mode) << name << "\n" << messages_of(report);
+        EXPECT_EQ(named(show, name).is_place_known, place) << name << "\n" << messages_of(report);
+    }
+}
+
 // Each fixture and each change is looked for among all objects.
 TEST(PlotShow, ManyObjectsAreFoundSoon) {
     constexpr int kMany = 20'000;

@@ -144,6 +144,17 @@ TEST_F(WebServer, the_show_levels_and_an_explanation_come) {
     EXPECT_EQ(peer.hear("explained")["verdict"], "the show has no such fixture");
 }
 
+TEST_F(WebServer, folders_of_this_machine_are_told_nobody) {
+    link.messages.put({{Severity::warning, "/srv/tour/band.mvr: scene.xml:7", "'/srv/tour/a.gdtf' is odd"}});
+    server->news();
+    Peer peer(server->port());
+    ASSERT_EQ(peer.look_on(server->keys().token), 101);
+    const auto said = peer.hear("messages")["messages"];
+    ASSERT_EQ(said.size(), 1u);
+    EXPECT_EQ(said[0]["where"], "band.mvr: scene.xml:7");
+    EXPECT_EQ(said[0]["what"], "'a.gdtf' is odd");
+}
+
 TEST_F(WebServer, what_is_malformed_ends_that_viewer_alone) {
     Peer good(server->port()), bad(server->port()), wide(server->port()), eager(server->port());
     for (Peer* peer : {&good, &bad, &wide, &eager}) ASSERT_EQ(peer->look_on(server->keys().token), 101);

@@ -5,6 +5,7 @@
 #include "base/log.h"
 #include "base/progress.h"
 #include "base/steady_time.h"
+#include "book/book_values.h"
 #include "book/difference.h"
 #include "book/rests.h"
 #include "cli/render/chosen_cameras.h"
@@ -251,6 +252,7 @@ Result<DrawnBook> BookDrawing::draw(const fs::path& folder, const BookFrame* giv
     book.unknown.insert(book.unknown.end(), plan_.unknown.begin(), plan_.unknown.end());
 
     Progress progress = this->progress("cue book");
+    scene::BookValues all_values;
     go_to(nullptr);
     std::vector<FixtureValues> before = values();
     std::vector<std::vector<float>> movers_before = mover_values();
@@ -261,6 +263,7 @@ Result<DrawnBook> BookDrawing::draw(const fs::path& folder, const BookFrame* giv
         scene::BookEntry& entry = book.entries.emplace_back(planned.entry);
         go_to(&planned);
         std::vector<FixtureValues> now = values();
+        all_values.add(entry, *session_->show, now);
         entry.changes = scene::changes_of(*session_->show, before, now, options_.style);
         const auto of_air = scene::changes_of(*session_->show, scene_before, look_.scene, options_.style);
         entry.changes.insert(entry.changes.end(), of_air.begin(), of_air.end());
@@ -291,6 +294,10 @@ Result<DrawnBook> BookDrawing::draw(const fs::path& folder, const BookFrame* giv
         }
     }
     progress.finish();
+    drawn.values_csv = all_values.csv();
+    if (all_values.left_out() > 0)
+        book.unknown.push_back(options_.style("values.csv is full: it has not the lamps of %1 entries",
+                                              {std::to_string(all_values.left_out())}));
     if (player_ && dmx::log_damage(*player_))
         book.unknown.push_back(
             options_.style("the recording is damaged: where it is, the look before is drawn"));

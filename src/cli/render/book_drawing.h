@@ -39,6 +39,7 @@ struct BookFrame {
 struct DrawnBook {
     scene::Book book;
     BookFrame frame;
+    std::string values_csv; // BookValues
 };
 
 // folder: gets the pictures, in its folder "pictures", which is there. frame: instead of the show's own.

@@ -10,6 +10,7 @@
 #include "net/tcp.h"
 #include "web/private/book_shelf.h"
 #include "web/private/connection.h"
+#include "web/private/own_folders.h"
 #include "web/private/picture_packer.h"
 #include "web/private/viewer.h"
 #include "web/private/worker.h"
@@ -113,6 +114,7 @@ private:
     PicturePacker packer_{numbers_, 0, encoder_, [this](const Encoded& one) { take_encoded(one); }};
     std::optional<ui::Picture> picture_;
     std::optional<ui::Opened> opened_;
+    OwnFolders folders_;
     std::optional<ui::RigNow> rig_;
     std::optional<dmx::Statistics> network_;
     scene::PatchMap patch_;
