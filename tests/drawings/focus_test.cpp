@@ -139,7 +139,7 @@ TEST(Focus, leaves_out_whose_place_or_mode_nobody_knows) {
     show.fixtures[1].name = "Modeless";
     const FocusChart chart = focus_of(show, states_of(show), {}, {}, "Now.");
     EXPECT_EQ(chart.lamps.size(), 1u);
-    EXPECT_NE(chart.unknown.back().find("Nowhere, Modeless"), std::string::npos) << chart.unknown.back();
+    EXPECT_NE(chart.unknown.back().find("Modeless, Nowhere"), std::string::npos) << chart.unknown.back();
 }
 
 TEST(Focus, is_where_movers_carry_a_lamp) {

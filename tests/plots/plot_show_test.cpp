@@ -215,8 +215,8 @@ TEST(PlotShow, KnowsWhichModesAndPlacesNobodySays) {
     const std::string two_modes = R"(<DMXMode Name="Wide" Geometry="Base"/>)";
     const std::string xml =
         small_xml(fixture_xml(20, "Good", kIdentity + "{0,0,5000}", "") +
-                  fixture_xml(21, "Odd mode", kIdentity + "{0,0,5000}", "", "Head.gdtf", "standart") +
-                  fixture_xml(22, "No mode", kIdentity + "{0,0,5000}", "", "Head.gdtf", "") +
+                  fixture_xml(21, "Odd mode", kIdentity + "{0,0,5000}", "", "Two.gdtf", "standart") +
+                  fixture_xml(22, "No mode", kIdentity + "{0,0,5000}", "", "Two.gdtf", "") +
                   fixture_xml(23, "One mode", kIdentity + "{0,0,5000}", "", "Tiny.gdtf", "") +
                   fixture_xml(24, "Nowhere", nowhere, "") + fixture_xml(25, "Put right", nowhere, "") +
                   fixture_xml(26, "Turned only", nowhere, "") +
@@ -226,10 +226,10 @@ TEST(PlotShow, KnowsWhichModesAndPlacesNobodySays) {
     const fs::path folder = scratch("unsaid");
     write_mvr(
         folder / "plot.mvr", xml,
-        {{"Head.gdtf", head_gdtf(two_modes)},
+        {{"Two.gdtf", head_gdtf(two_modes)},
          {"Tiny.gdtf", text_of(fixture::make_zip({{"description.xml", fixture::Description{}.xml()}}))}});
     std::ofstream(folder / "show.toml")
-        << "plot = \"plot.mvr\"\n"
+        << "[show]\nplot = \"plot.mvr\"\n"
         << "[[change]]\nuuid = \"" << uuid(25) << "\"\nposition_m = [1, 2, 3]\n"
         << "[[change]]\nuuid = \"" << uuid(26) << "\"\nrotation_deg = [0, 90, 0]\n";
     Report report;
