@@ -140,11 +140,17 @@ void Drawing::draw_rig(const glm::dvec2& offset, const Extent2& window) {
 
 std::vector<Extent2> Drawing::match_words(const Extent2& window, std::size_t column, std::size_t row) const {
     constexpr double kHalf_pt = 0.5 * kSheetOverlap_pt;
-    constexpr glm::dvec2 kSize_pt(80, 7.5);
+    const double least_x = window.low.x + (column > 0 ? kHalf_pt : 0) + 2;
+    const double most_x = window.high.x - (column + 1 < columns_ ? kHalf_pt : 0) - 2;
+    // A narrow rest of a drawing has less room.
+    const glm::dvec2 size_pt(std::clamp(most_x - least_x, 0.0, 80.0), 7.5);
     std::vector<Extent2> boxes;
-    const auto add = [&](double x, double y) { boxes.push_back({{x, y}, glm::dvec2(x, y) + kSize_pt}); };
-    if (column > 0) add(window.low.x + kHalf_pt + 2, window.low.y + 12);
-    if (column + 1 < columns_) add(window.high.x - kHalf_pt - 2 - kSize_pt.x, window.low.y + 20);
+    const auto add = [&](double wanted_x, double y) {
+        const glm::dvec2 low(std::min(wanted_x, most_x - size_pt.x), y);
+        boxes.push_back({low, low + size_pt});
+    };
+    if (column > 0) add(least_x, window.low.y + 12);
+    if (column + 1 < columns_) add(most_x - size_pt.x, window.low.y + 20);
     if (row > 0) add(window.middle().x, window.low.y + kHalf_pt + 2);
     if (row + 1 < rows_) add(window.middle().x, window.high.y - kHalf_pt - 9);
     return boxes;
@@ -169,9 +175,11 @@ void Drawing::draw_match_marks(const Extent2& window, std::size_t column, std::s
     const std::vector<Extent2> boxes = match_words(window, column, row);
     for (std::size_t k = 0; k < boxes.size(); ++k) {
         const bool is_right = boxes[k].high.x > window.high.x - half - 3;
-        pdf_.line_of_text(boxes[k].low.x, boxes[k].low.y, boxes[k].size().x,
-                          style_("goes on: sheet %1", {std::to_string(sheets[k])}),
-                          {.size_pt = 6, .is_bold = true, .is_right = is_right});
+        const PdfText look{.size_pt = 6, .is_bold = true, .is_right = is_right};
+        const std::string number = std::to_string(sheets[k]);
+        const std::string words = style_("goes on: sheet %1", {number});
+        const bool fits = pdf_.width_of(words, look) <= boxes[k].size().x;
+        pdf_.line_of_text(boxes[k].low.x, boxes[k].low.y, boxes[k].size().x, fits ? words : number, look);
     }
 }
 

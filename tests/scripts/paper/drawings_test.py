@@ -141,6 +141,15 @@ class Drawings(unittest.TestCase):
             left = min(min(a[0], b[0]) for a, b in lines)
             self.assertTrue(y > max(heights) or y + 6 < min(heights) or x + 20 < left, (page, x, y, heights))
 
+    def test_a_narrow_last_sheet_says_whole_where_it_goes_on(self):
+        out = WORK / "narrow"
+        code, text = run("paper", SOURCE / "assets/demo", "-o", out, "--plan", "--scale", "1:25", "--sheet", "A1")
+        self.assertEqual(code, 0, text)
+        for page, other in ((1, 2), (2, 1)):
+            said = subprocess.run(["pdftotext", "-f", str(page), "-l", str(page), "-layout", out / "plan.pdf", "-"],
+                                  capture_output=True, text=True, check=True).stdout
+            self.assertIn(f"goes on: sheet {other}", said)
+
     def test_a_row_of_lamps_is_one_lamp_in_the_section(self):
         drawn = []
         for count in (1, 5):
