@@ -3962,12 +3962,28 @@ Bitte den Namen des Ordners prüfen.</translation>
         <translation>%1. Jemand fragt, wer Art-Net will (ArtPoll), und bekommt keine Antwort, denn er fragt aus einem anderen Netz, zu oft oder mit zu vielen anderen: OLA und manche Pulte senden nur an die, die antworten</translation>
     </message>
     <message>
-        <source>nothing comes for %1 any more, since %2: black (--on-loss). Its desk has stopped, or something on the way lets nothing through any more: a cable, a firewall, or a switch that prunes multicast after minutes (IGMP snooping without a querier)</source>
-        <translation>nichts kommt mehr für %1, seit %2: schwarz (--on-loss). Das Pult hat aufgehört, oder etwas unterwegs lässt nichts mehr durch: ein Kabel, eine Firewall oder ein Switch, der Multicast nach Minuten abschneidet (IGMP-Snooping ohne Querier)</translation>
+        <source>nothing comes for %1 any more, since %2: black (--on-loss). Its desk has stopped, sends elsewhere now (another universe or machine) or less often than every 2.5 s (sACN) or 10 s (Art-Net), or something on the way lets nothing through any more: a cable, a firewall, or a switch that prunes multicast after minutes (IGMP snooping without a querier)</source>
+        <translation>nichts kommt mehr für %1, seit %2: schwarz (--on-loss). Das Pult hat aufgehört, sendet jetzt woandershin (anderes Universum, anderer Rechner) oder seltener als alle 2,5 s (sACN) oder 10 s (Art-Net), oder etwas unterwegs lässt nichts mehr durch: ein Kabel, eine Firewall oder ein Switch, der Multicast nach Minuten abschneidet (IGMP-Snooping ohne Querier)</translation>
     </message>
     <message>
-        <source>nothing comes for %1 any more, since %2: the last look is held. Its desk has stopped, or something on the way lets nothing through any more: a cable, a firewall, or a switch that prunes multicast after minutes (IGMP snooping without a querier)</source>
-        <translation>nichts kommt mehr für %1, seit %2: das letzte Bild wird gehalten. Das Pult hat aufgehört, oder etwas unterwegs lässt nichts mehr durch: ein Kabel, eine Firewall oder ein Switch, der Multicast nach Minuten abschneidet (IGMP-Snooping ohne Querier)</translation>
+        <source>nothing comes for %1 any more, since %2: black (--on-loss). %3 is heard all the while, with %4: its output was switched off or goes elsewhere, or something holds back these packets alone, a firewall or a switch that prunes multicast (IGMP snooping without a querier)</source>
+        <translation>nichts kommt mehr für %1, seit %2: schwarz (--on-loss). %3 ist die ganze Zeit zu hören, mit %4: die Ausgabe wurde abgeschaltet oder geht woandershin, oder etwas hält nur diese Pakete zurück, eine Firewall oder ein Switch, der Multicast abschneidet (IGMP-Snooping ohne Querier)</translation>
+    </message>
+    <message>
+        <source>nothing comes for %1 any more, since %2: black (--on-loss). %3 and others are heard all the while, with %4: its output was switched off or goes elsewhere, or something holds back these packets alone, a firewall or a switch that prunes multicast (IGMP snooping without a querier)</source>
+        <translation>nichts kommt mehr für %1, seit %2: schwarz (--on-loss). %3 und andere sind die ganze Zeit zu hören, mit %4: die Ausgabe wurde abgeschaltet oder geht woandershin, oder etwas hält nur diese Pakete zurück, eine Firewall oder ein Switch, der Multicast abschneidet (IGMP-Snooping ohne Querier)</translation>
+    </message>
+    <message>
+        <source>nothing comes for %1 any more, since %2: the last look is held. Its desk has stopped, sends elsewhere now (another universe or machine) or less often than every 2.5 s (sACN) or 10 s (Art-Net), or something on the way lets nothing through any more: a cable, a firewall, or a switch that prunes multicast after minutes (IGMP snooping without a querier)</source>
+        <translation>nichts kommt mehr für %1, seit %2: das letzte Bild wird gehalten. Das Pult hat aufgehört, sendet jetzt woandershin (anderes Universum, anderer Rechner) oder seltener als alle 2,5 s (sACN) oder 10 s (Art-Net), oder etwas unterwegs lässt nichts mehr durch: ein Kabel, eine Firewall oder ein Switch, der Multicast nach Minuten abschneidet (IGMP-Snooping ohne Querier)</translation>
+    </message>
+    <message>
+        <source>nothing comes for %1 any more, since %2: the last look is held. %3 is heard all the while, with %4: its output was switched off or goes elsewhere, or something holds back these packets alone, a firewall or a switch that prunes multicast (IGMP snooping without a querier)</source>
+        <translation>nichts kommt mehr für %1, seit %2: das letzte Bild wird gehalten. %3 ist die ganze Zeit zu hören, mit %4: die Ausgabe wurde abgeschaltet oder geht woandershin, oder etwas hält nur diese Pakete zurück, eine Firewall oder ein Switch, der Multicast abschneidet (IGMP-Snooping ohne Querier)</translation>
+    </message>
+    <message>
+        <source>nothing comes for %1 any more, since %2: the last look is held. %3 and others are heard all the while, with %4: its output was switched off or goes elsewhere, or something holds back these packets alone, a firewall or a switch that prunes multicast (IGMP snooping without a querier)</source>
+        <translation>nichts kommt mehr für %1, seit %2: das letzte Bild wird gehalten. %3 und andere sind die ganze Zeit zu hören, mit %4: die Ausgabe wurde abgeschaltet oder geht woandershin, oder etwas hält nur diese Pakete zurück, eine Firewall oder ein Switch, der Multicast abschneidet (IGMP-Snooping ohne Querier)</translation>
     </message>
     <message>
         <source>%1 is one source too many on %2 and ignored: %3</source>
@@ -4054,12 +4070,24 @@ Bitte den Namen des Ordners prüfen.</translation>
         <translation>%1 sendet Art-Net aus einem anderen Netz als unserem (%2), über einen Router oder weil die Adressen nicht passen: ohne Router kommen sein Unicast und unsere Antworten nicht an, und dieser Rechner braucht eine Adresse in seinem Netz</translation>
     </message>
     <message>
-        <source>%1 packets got lost on the way in the last seconds: cable, switch or Wi-Fi</source>
-        <translation>%1 Pakete gingen in den letzten Sekunden unterwegs verloren: Kabel, Switch oder WLAN</translation>
+        <source>%1 comes from more than one source of equal priority, %2, and they differ on up to %3: %4. %5 has all dimmers at 0, and raises up to %6 of lamps that others light: a closed shutter or a colour among these takes the light away. Switch one off, or give one that is a backup a lower priority</source>
+        <translation>%1 kommt von mehr als einer Quelle gleicher Priorität, %2, und sie unterscheiden sich um bis zu %3: %4. %5 hat alle Dimmer auf 0 und hebt bis zu %6 von Lampen an, die andere leuchten lassen: ein geschlossener Shutter oder eine Farbe darunter nimmt das Licht weg. Eine abschalten oder der Reserve eine niedrigere Priorität geben</translation>
     </message>
     <message>
-        <source>%1 packet got lost on the way in the last seconds: cable, switch or Wi-Fi</source>
-        <translation>%1 Paket ging in den letzten Sekunden unterwegs verloren: Kabel, Switch oder WLAN</translation>
+        <source>%1 come from more than one source of equal priority, %2, and they differ on up to %3: %4. %5 has all dimmers at 0, and raises up to %6 of lamps that others light: a closed shutter or a colour among these takes the light away. Switch one off, or give one that is a backup a lower priority</source>
+        <translation>%1 kommen von mehr als einer Quelle gleicher Priorität, %2, und sie unterscheiden sich um bis zu %3: %4. %5 hat alle Dimmer auf 0 und hebt bis zu %6 von Lampen an, die andere leuchten lassen: ein geschlossener Shutter oder eine Farbe darunter nimmt das Licht weg. Eine abschalten oder der Reserve eine niedrigere Priorität geben</translation>
+    </message>
+    <message>
+        <source>%1; '%2' begins on %3 and runs past channel 512, where desks end a universe: is its address right?</source>
+        <translation>%1; '%2' beginnt auf %3 und läuft über Kanal 512 hinaus, wo Pulte ein Universum beenden: stimmt seine Adresse?</translation>
+    </message>
+    <message>
+        <source>in the numbers of the last seconds %1 packets are missing: lost by a cable, a switch, Wi-Fi or a firewall that lets only some through, or left out by a sender that skips numbers</source>
+        <translation>in den Nummern der letzten Sekunden fehlen %1 Pakete: verloren durch ein Kabel, einen Switch, WLAN oder eine Firewall, die nur einige durchlässt, oder ausgelassen von einem Sender, der Nummern überspringt</translation>
+    </message>
+    <message>
+        <source>in the numbers of the last seconds %1 packet is missing: lost by a cable, a switch, Wi-Fi or a firewall that lets only some through, or left out by a sender that skips numbers</source>
+        <translation>in den Nummern der letzten Sekunden fehlt %1 Paket: verloren durch ein Kabel, einen Switch, WLAN oder eine Firewall, die nur einige durchlässt, oder ausgelassen von einem Sender, der Nummern überspringt</translation>
     </message>
     <message>
         <source>two Art-Net time codes run, of %1 and %2: what follows the time code jumps from one to the other</source>

@@ -161,13 +161,17 @@ void add_patch(const dmx::Statistics& statistics, const Arriving& arriving, cons
     std::set<int> missing, elsewhere;
     const std::string unreadable = unreadable_text(statistics);
     std::size_t fixtures = 0;
-    std::string first;
+    std::string first, runs_on;
     for (const PatchedUniverse& one : patch.universes()) {
         if (arriving.has(one.universe) || explained_patch.contains(one.universe) || was_lost(one.universe))
             continue;
         missing.insert(one.universe);
         fixtures += one.fixtures;
         if (first.empty()) first = one.first;
+        if (one.runs_on_from > 0 && runs_on.empty())
+            runs_on = "; '" + one_line(one.first) + "' begins on universe " +
+                      std::to_string(one.runs_on_from) +
+                      " and runs past channel 512, where desks end a universe: is its address right?";
     }
     for (const auto& [universe, from] : arriving.universes)
         if (!patch.has(universe) && !explained_arriving.contains(universe)) elsewhere.insert(universe);
@@ -177,7 +181,7 @@ void add_patch(const dmx::Statistics& statistics, const Arriving& arriving, cons
             Trouble::not_received,
             count_text(fixtures, "fixture") + " on " + universes_text(missing) + " ('" + one_line(first) +
                 "'" + (fixtures > 1 ? ", ..." : "") + "), no levels arrive there" +
-                port_addresses_hint(missing, statistics.listening) +
+                port_addresses_hint(missing, statistics.listening) + runs_on +
                 (unreadable.empty() ? "" : "; packets arrive that cannot be read (" + unreadable + ")") +
                 empty_text(statistics, patch),
             missing));
@@ -232,6 +236,25 @@ std::string links_text(const dmx::Statistics& statistics, std::chrono::nanosecon
     return text;
 }
 
+// "'FOH' (10.0.0.1) is heard all the while, with universes 4, 9: ..", where each that sent what is lost sends
+// others; else "".
+std::string heard_text(const dmx::Statistics& statistics, const std::set<dmx::IpAddress>& senders) {
+    std::set<dmx::IpAddress> heard;
+    std::set<int> universes;
+    std::string who;
+    for (const dmx::SourceStatus& source : statistics.sources) {
+        if (source.state != dmx::SourceState::live || !senders.contains(source.from)) continue;
+        heard.insert(source.from);
+        universes.insert(source.universe);
+        if (who.empty()) who = source_text(source);
+    }
+    if (universes.empty() || heard.size() < senders.size()) return "";
+    return ". " + who + (heard.size() > 1 ? " and others are" : " is") + " heard all the while, with " +
+           universes_text(universes) +
+           ": its output was switched off or goes elsewhere, or something holds back these packets alone, a "
+           "firewall or a switch that prunes multicast (IGMP snooping without a querier)";
+}
+
 } // namespace
 
 void add_lost(const dmx::Statistics& statistics, const PatchMap& patch, Sentences& out) {
@@ -240,6 +263,7 @@ void add_lost(const dmx::Statistics& statistics, const PatchMap& patch, Sentence
     for (const auto& [black, ended] : kKinds) {
         std::set<int> universes;
         std::set<unsigned> interfaces; // that these came by
+        std::set<dmx::IpAddress> senders;
         std::chrono::nanoseconds longest{0}, silent{0};
         for (const dmx::LostUniverse& one : statistics.lost) {
             if (one.black != black || one.ended != ended ||
@@ -250,9 +274,11 @@ void add_lost(const dmx::Statistics& statistics, const PatchMap& patch, Sentence
             longest = std::max(longest, one.since);
             silent = std::max(silent, one.silent);
             interfaces.insert(one.interface_index);
+            senders.insert(one.from);
         }
         if (universes.empty()) continue;
         const std::string links = links_text(statistics, silent, interfaces);
+        const std::string heard = heard_text(statistics, senders);
         const bool bare = std::any_of(universes.begin(), universes.end(),
                                       [&](int universe) { return is_without_levels(statistics, universe); });
         out.push_back(problem(
@@ -263,9 +289,12 @@ void add_lost(const dmx::Statistics& statistics, const PatchMap& patch, Sentence
                  : ended              ? ". Its desk said that it ends this stream: its output was switched "
                                         "off, or its program closed"
                  : !links.empty()     ? links
-                 : unreadable.empty() ? ". Its desk has stopped, or something on the way lets nothing "
-                                        "through any more: a cable, a firewall, or a switch that prunes "
-                                        "multicast after minutes (IGMP snooping without a querier)"
+                 : !heard.empty()     ? heard
+                 : unreadable.empty() ? ". Its desk has stopped, sends elsewhere now (another universe or "
+                                        "machine) or less often than every 2.5 s (sACN) or 10 s (Art-Net), "
+                                        "or something on the way lets nothing through any more: a cable, a "
+                                        "firewall, or a switch that prunes multicast after minutes (IGMP "
+                                        "snooping without a querier)"
                                       : ". Packets arrive that cannot be read (" + unreadable +
                                             "): if they are its desk's, that has to be mended"),
             universes));

@@ -237,6 +237,38 @@ std::string sends_text(const dmx::SourceStatus& source, const Sources& all) {
            std::to_string(std::lround(source.rate_hz)) + " Hz";
 }
 
+// What one whose dimmers are down raises of lamps that another lights.
+struct Raised {
+    std::size_t channels = 0;
+    bool is_beside = false; // channels of these lamps that the other sets, too: they do not share the work
+};
+Raised raised_by(const dmx::SourceStatus& dark, const dmx::SourceStatus& lit, const PatchMap& patch) {
+    Raised result;
+    if (!dark.slots || !lit.slots) return result;
+    struct Lamp {
+        std::size_t raised = 0;
+        bool is_lit = false, is_set = false;
+    };
+    std::map<std::size_t, Lamp> lamps;
+    for (int address = 1; address <= static_cast<int>(dmx::kSlots); ++address) {
+        const auto slot = static_cast<std::size_t>(address - 1);
+        const bool is_up = lit.slots->levels[slot] > 0;
+        const bool raises = !is_up && dark.slots->levels[slot] > 0 && dark.slots->stands[slot];
+        if (!is_up && !raises) continue;
+        for (const PatchedSlot* one : patch.at(lit.universe, address)) {
+            Lamp& lamp = lamps[one->fixture];
+            lamp.raised += raises ? 1 : 0;
+            (one->dims ? lamp.is_lit : lamp.is_set) |= is_up;
+        }
+    }
+    for (const auto& [index, lamp] : lamps) {
+        if (!lamp.is_lit) continue;
+        result.channels += lamp.raised;
+        result.is_beside |= lamp.raised > 0 && lamp.is_set;
+    }
+    return result;
+}
+
 // Two that have the same say. What they send may be the same (a backup), or not (two that fight).
 void add_two_desks(const dmx::Statistics& statistics, const PatchMap& patch, Sentences& out) {
     std::map<int, Sources> by_universe;
@@ -250,6 +282,7 @@ void add_two_desks(const dmx::Statistics& statistics, const PatchMap& patch, Sen
         std::string merge;
         std::set<std::string> dark; // who sends nothing above 0
         std::set<std::string> down; // whose dimmers are at 0, and others' are not
+        std::size_t raised = 0;     // by these, of lamps that others light
         std::string hint;
     };
     std::map<std::string, Fight> fights; // by who
@@ -257,7 +290,7 @@ void add_two_desks(const dmx::Statistics& statistics, const PatchMap& patch, Sen
         std::size_t differ = 0, shared = 0, meet = 0;
         bool all_artnet = true, contested = false;
         std::set<std::string> who, dark, down;
-        std::size_t all_down = 0;
+        std::size_t all_down = 0, raised = 0;
         std::set<int> ranks; // of those that do not have their way: whom they meet has the same
         for (const dmx::SourceStatus* source : sources)
             if (source->slots_overruled + source->slots_shared > 0) ranks.insert(source->highest_priority);
@@ -270,8 +303,14 @@ void add_two_desks(const dmx::Statistics& statistics, const PatchMap& patch, Sen
             who.insert(sends_text(*source, sources));
             if (source->is_dark)
                 dark.insert(apart_text(*source, sources));
-            else if (dimmers_are_down(*source, patch))
+            else if (dimmers_are_down(*source, patch)) {
                 down.insert(apart_text(*source, sources));
+                for (const dmx::SourceStatus* other : sources) {
+                    const Raised by = raised_by(*source, *other, patch);
+                    raised = std::max(raised, by.channels);
+                    contested |= by.is_beside;
+                }
+            }
             all_down += source->is_dark || dimmers_are_down(*source, patch) ? 1 : 0;
             ++meet;
         }
@@ -281,6 +320,7 @@ void add_two_desks(const dmx::Statistics& statistics, const PatchMap& patch, Sen
         fight.channels = std::max(fight.channels, differ);
         fight.shared = std::max(fight.shared, shared);
         fight.contested |= contested;
+        fight.raised = std::max(fight.raised, raised);
         fight.dark.insert(dark.begin(), dark.end());
         if (all_down < meet) fight.down.insert(down.begin(), down.end());
         fight.hint = one_machine_text(sources);
@@ -298,6 +338,11 @@ void add_two_desks(const dmx::Statistics& statistics, const PatchMap& patch, Sen
             fight.merge +
             (is_shared ? ". If both play these lamps, all is well; if one is a backup, it is out of step: "
                          "give it a lower priority"
+             : fight.raised > 0 && !fight.down.empty()
+                 ? ". " + *fight.down.begin() + " has all dimmers at 0, and raises up to " +
+                       count_text(fight.raised, "channel") +
+                       " of lamps that others light: a closed shutter or a colour among these takes the "
+                       "light away. Switch one off, or give one that is a backup a lower priority"
              : fight.contested     ? ". Switch one off, or give one that is a backup a lower priority"
              : !fight.down.empty() ? ". " + *fight.down.begin() +
                                          " has all dimmers at 0: if that is a black-out, the others hide it"
@@ -425,9 +470,13 @@ void add_sources(const dmx::Statistics& statistics, Sentences& out) {
                         "root: sysctl -w net.core.rmem_max=4194304), or somebody's packets have wrong "
                         "checksums"));
     if (statistics.recent.lost > statistics.recent.overflow)
-        out.push_back(problem(Trouble::packets_lost,
-                              count_text(statistics.recent.lost - statistics.recent.overflow, "packet") +
-                                  " got lost on the way in the last seconds: cable, switch or Wi-Fi"));
+        out.push_back(
+            problem(Trouble::packets_lost,
+                    "in the numbers of the last seconds " +
+                        count_text(statistics.recent.lost - statistics.recent.overflow, "packet") +
+                        (statistics.recent.lost == statistics.recent.overflow + 1 ? " is" : " are") +
+                        " missing: lost by a cable, a switch, Wi-Fi or a firewall that lets only some "
+                        "through, or left out by a sender that skips numbers"));
 }
 
 } // namespace ghost::scene::diagnosed

@@ -52,7 +52,8 @@ std::vector<Byte> bytes_of(const fixture::Mode& mode, std::size_t part) {
 } // namespace
 
 PatchMap::PatchMap(const Show& show) {
-    std::map<int, std::set<std::size_t>> fixtures; // by universe
+    std::map<int, std::set<std::size_t>> fixtures;     // by universe
+    std::map<int, std::map<std::size_t, int>> runs_on; // by universe, fixture: where it begins
     // Movers come after the fixtures.
     const auto name_of = [&](std::size_t index) {
         const std::size_t count = show.fixtures.size();
@@ -76,9 +77,12 @@ PatchMap::PatchMap(const Show& show) {
         for (std::size_t part = 0; part < std::min(patch.addresses.size(), mode.footprint.size()); ++part) {
             if (patch.addresses[part].channel < 1) continue;
             const std::vector<Byte> bytes = bytes_of(mode, part);
-            for (std::size_t byte = 0; byte < bytes.size(); ++byte)
-                add(place_of(patch.addresses[part], static_cast<int>(byte)), i, bytes[byte].name,
-                    bytes[byte].dims);
+            for (std::size_t byte = 0; byte < bytes.size(); ++byte) {
+                const std::pair<int, int> place = place_of(patch.addresses[part], static_cast<int>(byte));
+                add(place, i, bytes[byte].name, bytes[byte].dims);
+                if (place.first != patch.addresses[part].universe)
+                    runs_on[place.first].emplace(i, patch.addresses[part].universe);
+            }
         }
     }
     for (std::size_t m = 0; m < show.movers.size(); ++m)
@@ -87,9 +91,11 @@ PatchMap::PatchMap(const Show& show) {
                 add({axis.levels[byte].universe, axis.levels[byte].channel}, show.fixtures.size() + m,
                     axis.name + " (" + std::to_string(byte + 1) + " of " +
                         std::to_string(axis.levels.size()) + ")");
-    for (const auto& [universe, indices] : fixtures)
-        universes_.push_back(
-            {static_cast<std::uint16_t>(universe), indices.size(), name_of(*indices.begin())});
+    for (const auto& [universe, indices] : fixtures) {
+        const auto& from = runs_on[universe];
+        universes_.push_back({static_cast<std::uint16_t>(universe), indices.size(), name_of(*indices.begin()),
+                              from.size() == indices.size() ? from.begin()->second : 0});
+    }
 }
 
 std::vector<std::uint16_t> PatchMap::universe_numbers() const {

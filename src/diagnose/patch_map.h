@@ -25,7 +25,8 @@ struct PatchedSlot {
 struct PatchedUniverse {
     std::uint16_t universe = 0;
     std::size_t fixtures = 0;
-    std::string first; // name of one of them
+    std::string first;    // name of one of them
+    int runs_on_from = 0; // universe on which that begins, where none of them begins on this one
 };
 
 class PatchMap {

@@ -259,8 +259,10 @@ void LevelSource::measure_rate(std::chrono::nanoseconds now) {
     // What two senders in one row of numbers seem to miss is not lost; what is not known yet waits.
     const bool two = window_.back >= kTwoRows || (rows_ && rows_->are_two(now));
     const double missed = gaps_beside_ > none_beside_ ? window_.beyond : window_.missed;
-    if (!has_gaps_ && !two && missed > window_.swapped)
-        pending_lost_ += static_cast<std::uint64_t>(missed - window_.swapped);
+    const double balance = has_gaps_ || two ? 0 : missed - window_.swapped;
+    // What comes late may come in the window after its gap.
+    pending_lost_ += static_cast<std::uint64_t>(std::max(0.0, gap_before_ + std::min(0.0, balance)));
+    gap_before_ = std::max(0.0, balance);
     if (two) pending_lost_ = 0;
     undecided_windows_ = rows_ && rows_->undecided() ? undecided_windows_ + 1 : 0;
     if (undecided_windows_ % kMostUndecided == 0) lost_ += std::exchange(pending_lost_, 0);

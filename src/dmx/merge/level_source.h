@@ -134,6 +134,7 @@ private:
     };
     Window window_, rates_hz_; // counted since window_start_, and of the whole second before
     std::chrono::nanoseconds window_start_{0};
+    double gap_before_ = 0; // packets that the window before missed, and that did not come late in it
     std::uint64_t lost_ = 0, pending_lost_ = 0; // that were not taken yet; that may be another sender's
     int undecided_windows_ = 0;                 // in which these wait
     bool has_gaps_ = false;

@@ -290,6 +290,9 @@ constexpr const char* kSentences[] = {
     QT_TRANSLATE_NOOP("Sentence", "packets for %1 arrive (%2), nothing is patched there"),
     QT_TRANSLATE_NOOP("Sentence", "%1 fixtures on %2 ('%3', ...), no levels arrive there"),
     QT_TRANSLATE_NOOP("Sentence", "%1 fixture on %2 ('%3'), no levels arrive there"),
+    QT_TRANSLATE_NOOP(
+        "Sentence",
+        "%1; '%2' begins on %3 and runs past channel 512, where desks end a universe: is its address right?"),
     QT_TRANSLATE_NOOP("Sentence", "%1; packets arrive that cannot be read (%2)"),
     QT_TRANSLATE_NOOP("Sentence", "nothing comes for %1 any more, since %2: the last look is held. Packets "
                                   "still come, without levels"),
@@ -327,14 +330,38 @@ constexpr const char* kSentences[] = {
         "Sentence",
         "%1. Somebody asks who wants Art-Net (ArtPoll) and gets no answer, for it asks from another network, "
         "too often or with too many others: OLA and some desks send to those alone that answer"),
-    QT_TRANSLATE_NOOP("Sentence",
-                      "nothing comes for %1 any more, since %2: black (--on-loss). Its desk has stopped, or "
-                      "something on the way lets nothing through any more: a cable, a firewall, or a switch "
-                      "that prunes multicast after minutes (IGMP snooping without a querier)"),
-    QT_TRANSLATE_NOOP("Sentence",
-                      "nothing comes for %1 any more, since %2: the last look is held. Its desk has stopped, "
-                      "or something on the way lets nothing through any more: a cable, a firewall, or a "
-                      "switch that prunes multicast after minutes (IGMP snooping without a querier)"),
+    QT_TRANSLATE_NOOP(
+        "Sentence",
+        "nothing comes for %1 any more, since %2: black (--on-loss). Its desk has stopped, sends elsewhere "
+        "now (another universe or machine) or less often than every 2.5 s (sACN) or 10 s (Art-Net), or "
+        "something on the way lets nothing through any more: a cable, a firewall, or a switch that prunes "
+        "multicast after minutes (IGMP snooping without a querier)"),
+    QT_TRANSLATE_NOOP(
+        "Sentence",
+        "nothing comes for %1 any more, since %2: black (--on-loss). %3 is heard all the while, with %4: its "
+        "output was switched off or goes elsewhere, or something holds back these packets alone, a firewall "
+        "or a switch that prunes multicast (IGMP snooping without a querier)"),
+    QT_TRANSLATE_NOOP(
+        "Sentence",
+        "nothing comes for %1 any more, since %2: black (--on-loss). %3 and others are heard all the while, "
+        "with %4: its output was switched off or goes elsewhere, or something holds back these packets "
+        "alone, a firewall or a switch that prunes multicast (IGMP snooping without a querier)"),
+    QT_TRANSLATE_NOOP(
+        "Sentence",
+        "nothing comes for %1 any more, since %2: the last look is held. Its desk has stopped, sends "
+        "elsewhere now (another universe or machine) or less often than every 2.5 s (sACN) or 10 s "
+        "(Art-Net), or something on the way lets nothing through any more: a cable, a firewall, or a switch "
+        "that prunes multicast after minutes (IGMP snooping without a querier)"),
+    QT_TRANSLATE_NOOP(
+        "Sentence",
+        "nothing comes for %1 any more, since %2: the last look is held. %3 is heard all the while, with %4: "
+        "its output was switched off or goes elsewhere, or something holds back these packets alone, a "
+        "firewall or a switch that prunes multicast (IGMP snooping without a querier)"),
+    QT_TRANSLATE_NOOP(
+        "Sentence",
+        "nothing comes for %1 any more, since %2: the last look is held. %3 and others are heard all the "
+        "while, with %4: its output was switched off or goes elsewhere, or something holds back these "
+        "packets alone, a firewall or a switch that prunes multicast (IGMP snooping without a querier)"),
     QT_TRANSLATE_NOOP("Sentence", "%1 is one source too many on %2 and ignored: %3"),
     QT_TRANSLATE_NOOP("Sentence", "%1 are too many sources on %2 and ignored: %3"),
     QT_TRANSLATE_NOOP("Sentence",
@@ -386,6 +413,16 @@ constexpr const char* kSentences[] = {
     QT_TRANSLATE_NOOP("Sentence",
                       "%1 come from more than one source of equal priority, %2, and they differ on up to %3: "
                       "%4. %5 has all dimmers at 0: if that is a black-out, the others hide it"),
+    QT_TRANSLATE_NOOP(
+        "Sentence",
+        "%1 comes from more than one source of equal priority, %2, and they differ on up to %3: %4. %5 has "
+        "all dimmers at 0, and raises up to %6 of lamps that others light: a closed shutter or a colour "
+        "among these takes the light away. Switch one off, or give one that is a backup a lower priority"),
+    QT_TRANSLATE_NOOP(
+        "Sentence",
+        "%1 come from more than one source of equal priority, %2, and they differ on up to %3: %4. %5 has "
+        "all dimmers at 0, and raises up to %6 of lamps that others light: a closed shutter or a colour "
+        "among these takes the light away. Switch one off, or give one that is a backup a lower priority"),
     QT_TRANSLATE_NOOP("Sentence",
                       "two senders have one identity (CID) on %1: %2 and one at %3 that sends other packets. "
                       "The first is shown, the second is dropped. One is a copy of the other (a cloned disk, "
@@ -430,9 +467,13 @@ constexpr const char* kSentences[] = {
                       "%1 declares more levels on %2 than its packets hold, or than 512; those that come are "
                       "used"),
     QT_TRANSLATE_NOOP("Sentence",
-                      "%1 packets got lost on the way in the last seconds: cable, switch or Wi-Fi"),
+                      "in the numbers of the last seconds %1 packets are missing: lost by a cable, a switch, "
+                      "Wi-Fi or a firewall that lets only some through, or left out by a sender that skips "
+                      "numbers"),
     QT_TRANSLATE_NOOP("Sentence",
-                      "%1 packet got lost on the way in the last seconds: cable, switch or Wi-Fi"),
+                      "in the numbers of the last seconds %1 packet is missing: lost by a cable, a switch, "
+                      "Wi-Fi or a firewall that lets only some through, or left out by a sender that skips "
+                      "numbers"),
     QT_TRANSLATE_NOOP(
         "Sentence",
         "two Art-Net time codes run, of %1 and %2: what follows the time code jumps from one to the other"),

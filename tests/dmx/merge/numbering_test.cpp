@@ -53,12 +53,12 @@ TEST(Merge, numbers_that_stand_still_and_that_jump) {
 TEST(Merge, one_row_of_numbers_for_several_universes_is_no_loss) {
     Merge merge;
     Desk shared{1}, losing{2}, swapping{3}, random{4};
-    for (int i = 0; i < 120; ++i) {
+    for (int i = 0; i < 160; ++i) {
         const nanoseconds now = i * 25ms;
         ++shared.sequence; // that of another universe
         merge.feed(shared.packet({1}), now);
         const Packet packet = losing.packet({2});
-        if (i % 10 != 9) merge.feed(packet, now);
+        if (i >= 120 || i % 10 != 9) merge.feed(packet, now);
         if (i % 2 == 1) {
             const Packet first = swapping.packet({3}), second = swapping.packet({3});
             merge.feed(second, now);
@@ -68,7 +68,7 @@ TEST(Merge, one_row_of_numbers_for_several_universes_is_no_loss) {
         merge.feed(random.packet({4}), now);
         merge.tick(now);
     }
-    const std::vector<SourceStatus> sources = merge.sources(3s);
+    const std::vector<SourceStatus> sources = merge.sources(4s);
     ASSERT_EQ(sources.size(), 4u);
     EXPECT_TRUE(sources[0].has_gaps);
     EXPECT_FALSE(sources[1].has_gaps);
@@ -76,6 +76,30 @@ TEST(Merge, one_row_of_numbers_for_several_universes_is_no_loss) {
     EXPECT_FALSE(sources[3].is_shared) << "its look does not jump with its numbers";
     EXPECT_GE(merge.counters().lost, 8u);
     EXPECT_LE(merge.counters().lost, 12u) << "of the one that loses a tenth";
+}
+
+// Two exchanged on the way, wherever the second that is counted begins; and a late one of every five.
+TEST(Merge, packets_that_come_late_are_not_lost) {
+    for (const auto interval : {25ms, 23ms, 7ms})
+        for (const int every : {40, 33, 5}) {
+            Merge merge;
+            Desk desk{1};
+            std::vector<Packet> waiting;
+            for (int i = 0; i < 2000; ++i) {
+                const nanoseconds now = i * interval;
+                const Packet packet = desk.packet({1});
+                if (i % every == 0)
+                    waiting.push_back(packet);
+                else
+                    merge.feed(packet, now);
+                if (i % every == (every > 5 ? 1 : 2) && !waiting.empty()) {
+                    merge.feed(waiting.back(), now);
+                    waiting.clear();
+                }
+                merge.tick(now);
+            }
+            EXPECT_EQ(merge.counters().lost, 0u) << every << " " << interval.count();
+        }
 }
 
 TEST(Merge, one_row_of_numbers_of_which_few_are_another_universe_s_is_no_loss) {
@@ -90,7 +114,7 @@ TEST(Merge, one_row_of_numbers_of_which_few_are_another_universe_s_is_no_loss) {
                 for (int i = 0; i < 400; ++i) {
                     const nanoseconds now = i * 25ms;
                     const Packet packet = desk.packet({1});
-                    if (loses && i % 20 == 13)
+                    if (loses && i < 350 && i % 20 == 13)
                         ++lost;
                     else
                         merge.feed(packet, now);
@@ -155,11 +179,11 @@ TEST(Merge, what_is_lost_beside_other_universes_of_the_sender_is_told) {
         for (int i = 0; i < 400; ++i) {
             const nanoseconds now = i * 25ms;
             const Packet packet = losing.packet({1});
-            if (i % 10 != 9) merge.feed(packet, now);
+            if (i >= 360 || i % 10 != 9) merge.feed(packet, now);
             if (i % every == 0) merge.feed(other.packet({2}), now + 1ms);
             merge.tick(now);
         }
-        EXPECT_NEAR(static_cast<double>(merge.counters().lost), 40, 5) << every;
+        EXPECT_NEAR(static_cast<double>(merge.counters().lost), 36, 5) << every;
     }
 }
 

@@ -122,6 +122,8 @@ while True:
         if one["protocol"] == "artnet":
             send(one, artdmx(one, one.get("number", count // one.get("every", 1) + one.get("first_number", 0)), look(one)), one.get("to", "10.93.0.255"), 6454)
             continue
+        if passed > one.get("moves_after_s", 1e9):
+            one["universe"] = one["moves_to"]
         to = one.get("to", group(one["universe"]))
         one["sequence"] += 1
         number = one.get("number", one["sequence"] * one.get("step", 1))
@@ -137,8 +139,12 @@ while True:
         packet = b"something else" * 20 if one.get("garbage") else data(one, number, slots, options, start_code)
         if "cut" in one:
             packet = packet[:126 + one["cut"]]
-        if number % one.get("loses", 1 << 30) != 0:
+        if number % one.get("exchanges", 1 << 30) == 0:
+            one["held"] = packet
+        elif number % one.get("loses", 1 << 30) != 0:
             send(one, packet, to, 5568)
+            if "held" in one:
+                send(one, one.pop("held"), to, 5568)
             if one.get("twice"):
                 send(one, packet, to, 5568)
             if "twin" in one:
