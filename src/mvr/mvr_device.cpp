@@ -22,6 +22,7 @@ void read_address(MvrReader& reader, pugi::xml_node node, PlotDevice& device) {
             reader.say(Severity::error, node,
                        "expected a break from 0 to " + std::to_string(kMaxBreak) + ", found '" +
                            written_break.substr(0, 40) + "'; the address is left out");
+            device.has_stray_address = true;
             return;
         }
         address.dmx_break = *number;
@@ -33,9 +34,10 @@ void read_address(MvrReader& reader, pugi::xml_node node, PlotDevice& device) {
         }
     address.written = reader.text(node);
     const auto parsed = parse_mvr_address(address.written);
+    address.is_known = parsed || address.written.empty();
     if (parsed)
         address.address = *parsed;
-    else if (!address.written.empty())
+    else if (!address.is_known)
         reader.say(Severity::error, node,
                    "expected an address like 513 or 2.1 (up to universe " + std::to_string(kMaxUniverse) +
                        "), found '" + address.written.substr(0, 40) + "'; taken as not patched");

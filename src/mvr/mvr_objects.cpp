@@ -106,7 +106,7 @@ void ObjectReader::place(pugi::xml_node node, PlotObject& object) {
     if (is_usable(object.world)) return;
     reader_.say(Severity::error, node,
                 "lies further away than any stage, or is larger; it stays at the origin of what it hangs on");
-    object.placed_by = PlacedBy::nobody;
+    object.placed_by = object.turned_by = PlacedBy::nobody;
     object.local = glm::dmat4(1.0);
     object.world = to_world;
 }
@@ -156,7 +156,7 @@ void ObjectReader::object(pugi::xml_node node, ObjectKind kind, int layer, int p
     if (const auto matrix = reader_.matrix(node))
         object.local = *matrix;
     else
-        object.placed_by = PlacedBy::nobody;
+        object.placed_by = object.turned_by = PlacedBy::nobody;
     place(node, object);
     content(node, object);
 

@@ -48,6 +48,16 @@ void place_in_world(const Plot& plot, PlotObject& object) {
     object.world = to_world * object.local;
 }
 
+// Whose addresses are meant: its own, or of what it has its channels from.
+const PlotDevice& addressed_device(const Plot& plot, const PlotObject& object) {
+    const PlotDevice& device = object.device;
+    const bool is_patched =
+        std::any_of(device.addresses.begin(), device.addresses.end(),
+                    [](const PlotAddress& address) { return address.address.channel > 0; });
+    if (device.multipatch < 0 || is_patched) return device;
+    return plot.objects[static_cast<std::size_t>(device.multipatch)].device;
+}
+
 } // namespace
 
 const char* name_of(ObjectKind kind) {
@@ -94,20 +104,23 @@ int gdtf_break(const PlotDevice& device, const PlotAddress& address) {
 }
 
 std::vector<fixture::Address> patch_addresses(const Plot& plot, const PlotObject& object) {
-    const PlotDevice* device = &object.device;
-    const auto patched = [](const PlotDevice& of) {
-        return std::any_of(of.addresses.begin(), of.addresses.end(),
-                           [](const PlotAddress& address) { return address.address.channel > 0; });
-    };
-    if (device->multipatch >= 0 && !patched(*device))
-        device = &plot.objects[static_cast<std::size_t>(device->multipatch)].device;
+    const PlotDevice& device = addressed_device(plot, object);
     std::vector<fixture::Address> result;
-    for (const PlotAddress& address : device->addresses) {
-        const auto at = static_cast<std::size_t>(gdtf_break(*device, address) - 1);
+    for (const PlotAddress& address : device.addresses) {
+        const auto at = static_cast<std::size_t>(gdtf_break(device, address) - 1);
         if (at >= result.size()) result.resize(at + 1);
         result[at] = address.address;
     }
     return result;
+}
+
+bool are_addresses_known(const Plot& plot, const PlotObject& object) {
+    const auto are_known = [](const PlotDevice& of) {
+        return !of.has_stray_address &&
+               std::all_of(of.addresses.begin(), of.addresses.end(),
+                           [](const PlotAddress& address) { return address.is_known; });
+    };
+    return are_known(object.device) && are_known(addressed_device(plot, object));
 }
 
 std::vector<MeshInstance> mesh_instances(const Plot& plot, int object) {
@@ -148,6 +161,7 @@ void apply_change(PlotObject& object, const PlotChange& change) {
             same = addresses.end() - 1;
         }
         same->address = change.address;
+        same->is_known = true;
         same->written = std::to_string(absolute_address(change.address));
         break;
     }

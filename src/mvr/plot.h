@@ -97,6 +97,7 @@ struct PlotAddress {
     int dmx_break = 0;        // as written, from 0; see gdtf_break
     fixture::Address address; // universe 1-based; channel 0: not patched
     std::string written;      // "513" and "2.1" are the same place
+    bool is_known = true;     // false: what is written is no address
 };
 
 int absolute_address(const fixture::Address& address); // 513 for universe 2 channel 1; 0: not patched
@@ -156,6 +157,7 @@ struct PlotDevice {
     std::string gdtf_mode;
     int gdtf = -1; // Plot::gdtf_files
     std::vector<PlotAddress> addresses;
+    bool has_stray_address = false; // one more, of a break that cannot be read
     std::string fixture_id;
     std::optional<int> fixture_id_numeric;
     std::optional<int> fixture_type_id; // until MVR 1.5
@@ -198,6 +200,7 @@ struct PlotObject {
     glm::dmat4 local{1.0};     // in the frame of the parent (or layer), metres
     glm::dmat4 world{1.0};
     PlacedBy placed_by = PlacedBy::plot;
+    PlacedBy turned_by = PlacedBy::plot;
     std::string class_uuid;
     int plot_class = -1; // Plot::classes
     std::vector<PlotGeometry> geometries;
@@ -269,6 +272,8 @@ int gdtf_break(const PlotDevice& device, const PlotAddress& address);
 // Addresses for a fixture::Patch: [0] is break 1; breaks without an address are not patched. Follows
 // multipatch.
 std::vector<fixture::Address> patch_addresses(const Plot& plot, const PlotObject& object);
+// False: one of these is written and cannot be read.
+bool are_addresses_known(const Plot& plot, const PlotObject& object);
 
 struct MeshInstance {
     int mesh = -1;            // Plot::meshes

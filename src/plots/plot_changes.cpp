@@ -21,7 +21,8 @@ glm::dmat3 turned(const glm::dmat3& axes, const glm::vec3& rotation_deg) {
     matrix = glm::rotate(matrix, turn_rad.y, glm::dvec3(0, 1, 0));
     matrix = glm::rotate(matrix, turn_rad.x, glm::dvec3(1, 0, 0));
     glm::dmat3 result(matrix);
-    for (int k = 0; k < 3; ++k) result[k] *= glm::length(axes[k]);
+    for (int k = 0; k < 3; ++k)
+        if (const double length = glm::length(axes[k]); length > 0.0) result[k] *= length; // none: flattened
     if (glm::determinant(axes) < 0.0) result[0] = -result[0];
     return result;
 }
@@ -113,6 +114,7 @@ std::vector<PlotChange> apply_changes(Plot& plot, const std::vector<ChangeEntry>
             is_moved = is_moved || changes[k].what == PlotChange::What::position;
         }
         if (!entry.position_m) object.placed_by = placed_by; // a turn places nothing
+        if (entry.rotation_deg) object.turned_by = PlacedBy::change;
     }
     if (is_moved) update_world(plot);
     return changes;

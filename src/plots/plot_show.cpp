@@ -25,7 +25,8 @@ namespace {
 constexpr std::size_t kMaxNameBytes = 90; // leaves room for a number
 constexpr double kScaled = 0.01;
 constexpr double kAimed_deg = 0.5;
-constexpr float kFlat = 0.2f; // depth of a wall, as a share of its shorter side
+constexpr float kFlat = 0.2f;       // depth of a wall, as a share of its shorter side
+constexpr double kFlattened = 1e-6; // volume of a matrix, as a share of that of a box of its lengths
 
 glm::mat4 node_to_fixture(const fixture::Mode& mode, int node) {
     glm::mat4 matrix(1.0f);
@@ -89,18 +90,21 @@ public:
         const PlotObject& object = loaded_.plot.objects[static_cast<std::size_t>(index)];
         worlds_.push_back(object.world);
         fixture_of_.push_back(-1);
-        bool is_known = true;
+        bool is_known = true, is_turn_known = true;
         if (object.parent >= 0) {
             const auto parent = static_cast<std::size_t>(object.parent);
             const auto hung = child_position(object, fixture_of_[parent]);
             worlds_.back() = worlds_[parent] * hung.value_or(glm::dmat4(1.0)) * object.local;
             is_known = hung && are_known_[parent];
+            is_turn_known = hung && are_turns_known_[parent];
         } else if (object.layer >= 0) {
             const PlotLayer& layer = loaded_.plot.layers[static_cast<std::size_t>(object.layer)];
-            is_known = layer.placed_by != PlacedBy::nobody;
+            is_known = is_turn_known = layer.placed_by != PlacedBy::nobody;
         }
         are_known_.push_back(object.placed_by == PlacedBy::change ||
                              (is_known && object.placed_by == PlacedBy::plot));
+        are_turns_known_.push_back(object.turned_by == PlacedBy::change ||
+                                   (is_turn_known && object.turned_by == PlacedBy::plot));
         if (adds && is_wall(object))
             add_wall(index, object);
         else if (adds)
@@ -150,6 +154,7 @@ private:
         fixture.invert_pan = device.invert_pan;
         fixture.invert_tilt = device.invert_tilt;
         set_addresses(patch_addresses(loaded_.plot, object), fixture);
+        fixture.is_address_known = are_addresses_known(loaded_.plot, object);
         place(object, fixture);
         if (object.kind == ObjectKind::projector && fixture.type)
             fixture.projector =
@@ -241,6 +246,7 @@ private:
         fixture.position_m = placement.position_m;
         fixture.is_place_known = are_known_.back();
         fixture.rotation_deg = placement.rotation_deg;
+        fixture.is_rotation_known = are_turns_known_.back() && !placement.flattened;
         if (placement.mirrored) mirrored_.push_back(fixture.name);
         if (placement.scaled) scaled_.push_back(fixture.name);
     }
@@ -279,7 +285,8 @@ private:
     Names names_;
     std::vector<glm::dmat4> worlds_; // per object, with child positions
     std::vector<bool> are_known_;    // per object: whether somebody says its place
-    std::vector<int> fixture_of_;    // per object: Show::fixtures, or -1
+    std::vector<bool> are_turns_known_;
+    std::vector<int> fixture_of_; // per object: Show::fixtures, or -1
     std::vector<std::string> mirrored_;
     std::vector<std::string> scaled_;
     std::vector<std::string> aimed_;
@@ -300,6 +307,8 @@ Placement placement_of(const glm::dmat4& world) {
     placement.position_m = glm::vec3(world[3]);
     const glm::dmat3 axes(world);
     placement.mirrored = glm::determinant(axes) < 0.0;
+    placement.flattened = !(std::abs(glm::determinant(axes)) >
+                            kFlattened * glm::length(axes[0]) * glm::length(axes[1]) * glm::length(axes[2]));
     // The beam's line counts most, then the tilt's plane; X follows, and takes the mirror with it.
     const auto unit = [](const glm::dvec3& v, const glm::dvec3& fallback) {
         const double length = glm::length(v);

@@ -36,8 +36,9 @@ Result<void> add_plot_fixtures(Show& show, const std::vector<bool>& shown,
 struct Placement {
     glm::vec3 position_m{0};
     glm::vec3 rotation_deg{0};
-    bool mirrored = false; // what the matrix mirrors is drawn unmirrored
-    bool scaled = false;   // by more than a hundredth, or skewed
+    bool mirrored = false;  // what the matrix mirrors is drawn unmirrored
+    bool scaled = false;    // by more than a hundredth, or skewed
+    bool flattened = false; // how it is turned is made up
 };
 Placement placement_of(const glm::dmat4& world);
 

@@ -104,8 +104,10 @@ struct PatchedFixture {
     // False: none is written that can be read, or that the type has, and it has been given one.
     bool is_mode_known = true;
     bool is_place_known = true;
-    int universe = 1;                             // 1-based
-    int address = 1;                              // 1-based, of break 1; 0: not patched
+    bool is_rotation_known = true;
+    bool is_address_known = true; // false: of some break; where none is given, 0 stands for what it may be
+    int universe = 1;             // 1-based
+    int address = 1;              // 1-based, of break 1; 0: not patched
     std::vector<fixture::Address> more_addresses; // of breaks 2, 3, ...
     bool invert_pan = false;                      // the desk's values count the other way round
     bool invert_tilt = false;

@@ -122,9 +122,13 @@ PatchedFixture read_fixture(TableReader& reader, const std::string& name, const 
 
     if (fixture.gdtf.empty() && reader.has("mode"))
         reader.problem(Severity::warning, "mode", "is not used: without a gdtf there is one mode only");
-    put_value(fixture.universe, reader.integer("universe", 1, dmx::kMaxUniverse));
+    const auto universe = reader.integer("universe", 1, dmx::kMaxUniverse);
+    put_value(fixture.universe, universe);
     const auto address = reader.integer("address", 1, 512);
-    fixture.address = address.value_or(0);
+    const bool is_universe_known = universe || !reader.has("universe");
+    // In a universe that nobody names it would have the light of another fixture.
+    fixture.address = is_universe_known ? address.value_or(0) : 0;
+    fixture.is_address_known = is_universe_known && (address || !reader.has("address"));
     source.address_line = reader.line_of("address");
     if (!reader.has("address") && !reader.has("projector") && !reader.has("wall") && !reader.has("laser"))
         reader.problem(Severity::warning, "address",
@@ -132,6 +136,8 @@ PatchedFixture read_fixture(TableReader& reader, const std::string& name, const 
 
     if (const auto more = reader.pairs("more_addresses", kMaxBreaks, {1, 0}, {dmx::kMaxUniverse, 512}))
         for (const glm::ivec2& place : *more) fixture.more_addresses.push_back({place.x, place.y});
+    else if (reader.has("more_addresses"))
+        fixture.is_address_known = false;
     fixture.circuit = reader.text("circuit").value_or("");
     fixture.invert_pan = reader.boolean("invert_pan").value_or(false);
     fixture.invert_tilt = reader.boolean("invert_tilt").value_or(false);
@@ -152,10 +158,14 @@ PatchedFixture read_fixture(TableReader& reader, const std::string& name, const 
     }
     const auto rotation = reader.vec3("rotation_deg", 360);
     put_value(fixture.rotation_deg, rotation);
+    fixture.is_rotation_known = rotation || !reader.has("rotation_deg");
     if (const toml::table* table = reader.table("projector")) {
         std::optional<glm::vec3> target_m;
         fixture.projector = read_projector(*table, section, file, show, target_m, report);
-        if (target_m) fixture.rotation_deg = rotation_towards(fixture.position_m, *target_m);
+        if (target_m) {
+            fixture.rotation_deg = rotation_towards(fixture.position_m, *target_m);
+            fixture.is_rotation_known = true;
+        }
         if (target_m && glm::distance(*target_m, fixture.position_m) < kSamePlace_m)
             reader.problem(
                 Severity::error, "projector",

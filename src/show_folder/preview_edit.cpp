@@ -41,12 +41,16 @@ Result<Show> preview_edit(const Show& before, const std::string& text) {
                 fixture.position_m = *change.position_m;
                 fixture.is_place_known = true;
             }
-            if (change.rotation_deg) fixture.rotation_deg = *change.rotation_deg;
+            if (change.rotation_deg) {
+                fixture.rotation_deg = *change.rotation_deg;
+                fixture.is_rotation_known = true;
+            }
             if (change.hidden) hidden = *change.hidden;
             if (change.circuit) fixture.circuit = *change.circuit;
             if (change.address && change.dmx_break == 1) {
                 fixture.universe = change.address->universe;
                 fixture.address = change.address->channel;
+                fixture.is_address_known |= fixture.more_addresses.empty();
             }
             if (change.mode && fixture.type)
                 if (const auto mode = fixture::find_mode(*fixture.type, *change.mode); mode.ok()) {

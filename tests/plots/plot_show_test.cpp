@@ -247,6 +247,53 @@ TEST(PlotShow, KnowsWhichModesAndPlacesNobodySays) {
     }
 }
 
+TEST(PlotShow, KnowsWhichTurnsAndAddressesNobodySays) {
+    const std::string flat = "{0,0,0}{0,0,0}{0,0,0}{7000,2000,6000}",
+                      nowhere = "{nan,0,0}{0,1,0}{0,0,1}{0,0,0}";
+    const auto address = [](const std::string& text) {
+        return "<Addresses><Address break=\"0\">" + text + "</Address></Addresses>";
+    };
+    const fs::path folder = scratch("unread");
+    write_mvr(folder / "plot.mvr",
+              small_xml(fixture_xml(20, "Good", kIdentity + "{0,0,5000}", address("5")) +
+                        fixture_xml(21, "Unpatched", kIdentity + "{0,0,5000}", address("0")) +
+                        fixture_xml(22, "Odd address", kIdentity + "{0,0,5000}", address("abc")) +
+                        fixture_xml(23, "Patched again", kIdentity + "{0,0,5000}", address("abc")) +
+                        fixture_xml(24, "Odd break", kIdentity + "{0,0,5000}",
+                                    "<Addresses><Address break=\"x\">9</Address></Addresses>") +
+                        fixture_xml(25, "Flat", flat, "") + fixture_xml(26, "Turned", flat, "") +
+                        fixture_xml(27, "Nowhere", nowhere, "") + fixture_xml(28, "Placed", nowhere, "")));
+    std::ofstream(folder / "show.toml")
+        << "[show]\nplot = \"plot.mvr\"\n"
+        << "[[change]]\nuuid = \"" << uuid(23) << "\"\nuniverse = 1\naddress = 9\n"
+        << "[[change]]\nuuid = \"" << uuid(26) << "\"\nrotation_deg = [0, 90, 0]\n"
+        << "[[change]]\nuuid = \"" << uuid(28) << "\"\nposition_m = [1, 2, 3]\n"
+        << "[[fixture]]\nname = \"Own\"\ngdtf = \"a.gdtf\"\naddress = 700\nposition_m = [0, 0, 5]\n"
+        << "rotation_deg = [0, 0]\n"
+        << "[[fixture]]\nname = \"Odd universe\"\ngdtf = \"a.gdtf\"\nuniverse = 0\naddress = 7\n"
+        << "position_m = [0, 0, 5]\n";
+    Report report;
+    const Show show = opened(folder, report);
+    for (const auto& [name, is_turn, is_address] : {std::tuple{"Good", true, true},
+                                                    {"Unpatched", true, true},
+                                                    {"Odd address", true, false},
+                                                    {"Patched again", true, true},
+                                                    {"Odd break", true, false},
+                                                    {"Flat", false, true},
+                                                    {"Turned", true, true},
+                                                    {"Nowhere", false, true},
+                                                    {"Placed", false, true},
+                                                    {"Own", false, false},
+                                                    {"Odd universe", true, false}}) {
+        EXPECT_EQ(named(show, name).is_rotation_known, is_turn) << name << "\n" << messages_of(report);
+        EXPECT_EQ(named(show, name).is_address_known, is_address) << name << "\n" << messages_of(report);
+    }
+    EXPECT_TRUE(named(show, "Flat").is_place_known);
+    EXPECT_NEAR(named(show, "Flat").position_m.x, 7, 1e-5);
+    EXPECT_NEAR(named(show, "Turned").rotation_deg.y, 90, 1e-3);
+    EXPECT_EQ(named(show, "Odd universe").address, 0) << "of no other's light";
+}
+
 // Each fixture and each change is looked for among all objects.
 TEST(PlotShow, ManyObjectsAreFoundSoon) {
     constexpr int kMany = 20'000;
