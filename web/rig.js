@@ -40,11 +40,13 @@ class Rig extends HTMLElement {
   build() {
     this.open = -1;
     this.rows = now.show.fixtures.map(
-        (/** @type {{name: string, type: string, patch: string}} */ fixture,
+        (/** @type {{name: string, type: string, patch: string, unsaid: string[]}} */ fixture,
          /** @type {number} */ index) => {
           const dot = make("span", {class: "dot", "aria-hidden": "true"});
-          const does = make("span", {class: "does"}, fixture.patch ? "" : "not patched");
-          const type = [fixture.type || "its file cannot be read", fixture.patch].filter(Boolean).join(" \u00b7 ");
+          const does = make("span", {class: "does"}, patchless(fixture));
+          const unsaid = fixture.unsaid.map((what) => `${what} not known`);
+          const type =
+              [fixture.type || "its file cannot be read", fixture.patch, ...unsaid].filter(Boolean).join(" \u00b7 ");
           const button = make(
               "button", {type: "button", "aria-expanded": "false"}, dot, make("span", {class: "name"}, fixture.name), does,
               make("span", {class: "type"}, type));
@@ -83,7 +85,7 @@ class Rig extends HTMLElement {
       const candela = levels.bytes.getFloat32(at, true);
       const [red, green, blue, dimmer] = [4, 5, 6, 7].map((k) => levels.bytes.getUint8(at + k));
       const isLit = candela >= SHINES_CD;
-      const said = !row.fixture.patch ? "not patched" : isLit ? `lit, ${Math.round((100 * dimmer) / 255)} %` : "dark";
+      const said = patchless(row.fixture) || (isLit ? `lit, ${Math.round((100 * dimmer) / 255)} %` : "dark");
       const colour = isLit ? `rgb(${display(red)} ${display(green)} ${display(blue)})` : "transparent";
       if (said !== row.said) row.does.textContent = row.said = said;
       if (colour !== row.colour) row.dot.style.background = row.colour = colour;
@@ -122,6 +124,12 @@ class Rig extends HTMLElement {
   }
 }
 customElements.define("ghost-rig", Rig);
+
+/** What is said where light would be. @param {{patch: string, unsaid: string[]}} fixture */
+function patchless(fixture) {
+  if (fixture.patch) return "";
+  return fixture.unsaid.includes("address") ? "keeps its defaults" : "not patched";
+}
 
 /** A linear share as a screen shows it. @param {number} byte */
 function display(byte) {

@@ -3458,6 +3458,58 @@ Bitte den Namen des Ordners prüfen.</translation>
         <translation>es gibt %1 lm, weniger als 1 % des hellsten Geräts (%2 lm)</translation>
     </message>
     <message>
+        <source>%1 of %2 lm, %3, what it hits is not known (nobody says its place)</source>
+        <translation>%1 von %2 lm, %3, was es trifft, ist nicht bekannt (niemand nennt seinen Ort)</translation>
+    </message>
+    <message>
+        <source>%1 of %2 lm, %3, what it hits is not known (nobody says how it is turned)</source>
+        <translation>%1 von %2 lm, %3, was es trifft, ist nicht bekannt (niemand sagt, wie es gedreht ist)</translation>
+    </message>
+    <message>
+        <source>nobody names a mode that the type has; what follows is of mode &apos;%1&apos;; %2</source>
+        <translation>niemand nennt einen Modus, den der Typ hat; was folgt, ist von Modus &apos;%1&apos;; %2</translation>
+    </message>
+    <message>
+        <source>nobody names a mode that the type has; what follows is of mode &apos;%1&apos;</source>
+        <translation>niemand nennt einen Modus, den der Typ hat; was folgt, ist von Modus &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>nobody says a place that can be used: where its beam comes from and what it hits is not known</source>
+        <translation>niemand nennt einen brauchbaren Ort: woher sein Strahl kommt und was er trifft, ist nicht bekannt</translation>
+    </message>
+    <message>
+        <source>nobody says how it is turned: where its beam goes and what it hits is not known</source>
+        <translation>niemand sagt, wie es gedreht ist: wohin sein Strahl geht und was er trifft, ist nicht bekannt</translation>
+    </message>
+    <message>
+        <source>its address cannot be read: without an address its channels keep their defaults, and %1</source>
+        <translation>seine Adresse ist nicht lesbar: ohne Adresse behalten seine Kanäle ihre Grundwerte, und %1</translation>
+    </message>
+    <message>
+        <source>its address cannot be read: without an address its channels keep their defaults</source>
+        <translation>seine Adresse ist nicht lesbar: ohne Adresse behalten seine Kanäle ihre Grundwerte</translation>
+    </message>
+    <message>
+        <source>its address cannot be read (break %1): without an address its channels keep their defaults, and %2</source>
+        <translation>seine Adresse ist nicht lesbar (Break %1): ohne Adresse behalten seine Kanäle ihre Grundwerte, und %2</translation>
+    </message>
+    <message>
+        <source>its address cannot be read (break %1): without an address its channels keep their defaults</source>
+        <translation>seine Adresse ist nicht lesbar (Break %1): ohne Adresse behalten seine Kanäle ihre Grundwerte</translation>
+    </message>
+    <message>
+        <source>nobody names a mode that their type has</source>
+        <translation>niemand nennt einen Modus, den ihr Typ hat</translation>
+    </message>
+    <message>
+        <source>nobody says where they hang, or how they are turned</source>
+        <translation>niemand sagt, wo sie hängen oder wie sie gedreht sind</translation>
+    </message>
+    <message>
+        <source>their address cannot be read</source>
+        <translation>ihre Adresse ist nicht lesbar</translation>
+    </message>
+    <message>
         <source>its mode is not in the file: %1</source>
         <translation>sein Modus fehlt in der Datei: %1</translation>
     </message>

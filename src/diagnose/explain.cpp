@@ -51,6 +51,17 @@ Reason no_type(const PatchedFixture& fixture, const Report& report) {
     return finding;
 }
 
+Reason no_place(const Explanation& explanation) {
+    return {Cause::no_place,
+            false,
+            explanation.is_place_known
+                ? "nobody says how it is turned: where its beam goes and what it hits is not known"
+                : "nobody says a place that can be used: where its beam comes from and what it hits is not "
+                  "known",
+            "nobody says where they hang, or how they are turned",
+            {}};
+}
+
 std::string lit_text(const Explanation& explanation) {
     const BeamFacts& beam = explanation.beams[static_cast<std::size_t>(explanation.main_beam)];
     std::string text = "lit: ";
@@ -186,11 +197,11 @@ Reason several(const BeamFacts& beam) {
 
 const char* cause_name(Cause cause) {
     static constexpr const char* kNames[] = {
-        "none",    "no_type",   "no_mode",    "not_patched", "no_input",     "never_received",
-        "lost",    "not_sent",  "overridden", "two_desks",   "same_address", "overlap",
-        "dimmer",  "shutter",   "strobe",     "iris",        "blades",       "colour",
-        "gobo",    "animation", "picture",    "zoom",        "emitters",     "lamp",
-        "no_beam", "several",   "hidden",     "away",        "faint"};
+        "none",           "no_type", "no_mode",  "no_place",   "no_address", "not_patched",  "no_input",
+        "never_received", "lost",    "not_sent", "overridden", "two_desks",  "same_address", "overlap",
+        "dimmer",         "shutter", "strobe",   "iris",       "blades",     "colour",       "gobo",
+        "animation",      "picture", "zoom",     "emitters",   "lamp",       "no_beam",      "several",
+        "hidden",         "away",    "faint"};
     static_assert(std::size(kNames) == static_cast<std::size_t>(Cause::faint) + 1);
     return kNames[static_cast<std::size_t>(cause)];
 }
@@ -235,6 +246,10 @@ Explanation Explainer::explain(std::size_t index, int asked_beam) const {
     result.fixture = fixture.name;
     result.file = fixture.gdtf.string();
     result.addresses = patch.addresses;
+    result.is_mode_known = fixture.is_mode_known;
+    result.is_place_known = fixture.is_place_known;
+    result.is_rotation_known = fixture.is_rotation_known;
+    result.is_address_known = fixture.is_address_known;
     const auto conclude = [&](Visibility visibility, const std::string& words) {
         sort_findings(result.findings);
         const Reason* first = first_blocking(result.findings);
@@ -282,7 +297,7 @@ Explanation Explainer::explain(std::size_t index, int asked_beam) const {
         if (const int light_index = beam_group_of(emitters, static_cast<int>(b)); light_index >= 0)
             facts.grouped =
                 static_cast<int>(emitters.lights[static_cast<std::size_t>(light_index)].beams.size());
-        if (result.looked && !face.glows) look(input_, light, facts);
+        if (result.looked && result.is_aim_known() && !face.glows) look(input_, light, facts);
         result.beams.push_back(std::move(facts));
         const BeamFacts& best = result.beams[static_cast<std::size_t>(std::max(result.main_beam, 0))];
         if (result.main_beam < 0 || result.beams.back().output_lm > best.output_lm)
@@ -311,7 +326,7 @@ Explanation Explainer::explain(std::size_t index, int asked_beam) const {
                      : fraction < kNearlyDark ? Visibility::nearly_dark
                                               : Visibility::lit;
         if (visibility == Visibility::lit) {
-            if (result.looked && !beam.glows) add_unseen(input_, beam);
+            if (result.looked && result.is_aim_known() && !beam.glows) add_unseen(input_, beam);
         } else {
             if (!first_blocking(beam.findings)) beam.findings.push_back(several(beam));
             direct_copy = *first_blocking(beam.findings);
@@ -344,7 +359,15 @@ Explanation Explainer::explain(std::size_t index, int asked_beam) const {
                  ", whose channels mean other things" + (direct ? "; " + direct->text : ""),
              "their mode is not in the fixture file",
              {}});
+    } else if (!fixture.is_mode_known) {
+        result.findings.push_back({Cause::no_mode,
+                                   direct != nullptr,
+                                   "nobody names a mode that the type has; what follows is of mode '" +
+                                       result.mode + "'" + (direct ? "; " + direct->text : ""),
+                                   "nobody names a mode that their type has",
+                                   {}});
     }
+    if (!result.is_aim_known()) result.findings.push_back(no_place(result));
     for (Reason& finding : causes_in_network(input_, patch, result, state, direct))
         result.findings.push_back(std::move(finding));
     for (const fixture::Overlap& overlap : overlaps_)

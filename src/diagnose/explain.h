@@ -22,6 +22,8 @@ enum class Cause {
     none,
     no_type,        // the fixture's file cannot be read
     no_mode,        // the mode does not exist, another one is taken
+    no_place,       // nobody says where it hangs, or how it is turned
+    no_address,     // it is written, and cannot be read
     not_patched,    // no address
     no_input,       // neither a recording nor a desk
     never_received, // no packet of the universe
@@ -182,6 +184,8 @@ struct Explanation {
     std::string verdict;          // "dark because ..."
     std::vector<Reason> findings; // the first one that blocks is the verdict
     std::string file, maker, type, mode;
+    // False: what stands there has been put in the place of what nobody says (PatchedFixture).
+    bool is_mode_known = true, is_place_known = true, is_rotation_known = true, is_address_known = true;
     std::vector<fixture::Address> addresses; // per break; channel 0: none
     std::vector<int> footprint;              // bytes per break
     std::vector<UniverseFacts> universes;
@@ -190,6 +194,8 @@ struct Explanation {
     int main_beam = -1; // the brightest, or the one asked about; the words are about it
     bool asked_beam = false;
     bool looked = false; // the stage was there to be hit
+
+    bool is_aim_known() const { return is_place_known && is_rotation_known; }
 };
 
 struct HazeMedium;

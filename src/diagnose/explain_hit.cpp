@@ -130,6 +130,8 @@ std::string width_text(const BeamFacts& facts) {
 
 std::string hit_text(const Explanation& explanation, const BeamFacts& facts) {
     if (facts.glows) return "it glows and throws no beam";
+    if (!explanation.is_place_known) return "what it hits is not known (nobody says its place)";
+    if (!explanation.is_rotation_known) return "what it hits is not known (nobody says how it is turned)";
     if (!explanation.looked) return "what it hits is not known (no stage)";
     if (facts.hit)
         return "hits '" + facts.hit->object + "' at " +

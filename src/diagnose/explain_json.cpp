@@ -107,7 +107,8 @@ Json channel_json(const ChannelFacts& channel) {
             {"slot", channel.slot > 0 ? Json(channel.slot) : Json(nullptr)}};
 }
 
-Json beam_json(const BeamFacts& beam, const std::vector<ChannelFacts>& channels) {
+Json beam_json(const BeamFacts& beam, const Explanation& explanation) {
+    const std::vector<ChannelFacts>& channels = explanation.channels;
     Json wheels = Json::array();
     for (const WheelFacts& wheel : beam.wheels)
         wheels.push_back({{"kind", wheel.colour ? "colour" : "gobo"},
@@ -158,8 +159,8 @@ Json beam_json(const BeamFacts& beam, const std::vector<ChannelFacts>& channels)
             {"projects", beam.projects ? Json(beam.medium) : Json(nullptr)},
             {"wheels", std::move(wheels)},
             {"optics", beam.optics},
-            {"lens_m", vector_json(beam.lens_m)},
-            {"direction", vector_json(beam.direction)},
+            {"lens_m", explanation.is_place_known ? vector_json(beam.lens_m) : Json(nullptr)},
+            {"direction", explanation.is_rotation_known ? vector_json(beam.direction) : Json(nullptr)},
             {"hit", std::move(hit)},
             {"edge_object", beam.edge_object.empty() ? Json(nullptr) : Json(beam.edge_object)},
             {"findings", std::move(findings)}};
@@ -182,7 +183,7 @@ Json fixture_json(const Explanation& explanation) {
     Json channels = Json::array();
     for (const ChannelFacts& channel : explanation.channels) channels.push_back(channel_json(channel));
     Json beams = Json::array();
-    for (const BeamFacts& beam : explanation.beams) beams.push_back(beam_json(beam, explanation.channels));
+    for (const BeamFacts& beam : explanation.beams) beams.push_back(beam_json(beam, explanation));
     return {{"fixture", explanation.fixture},
             {"state", visibility_name(explanation.visibility)},
             {"cause", cause_name(explanation.cause)},
@@ -192,6 +193,10 @@ Json fixture_json(const Explanation& explanation) {
             {"manufacturer", explanation.maker},
             {"type", explanation.type},
             {"mode", explanation.mode},
+            {"mode_known", explanation.is_mode_known},
+            {"place_known", explanation.is_place_known},
+            {"rotation_known", explanation.is_rotation_known},
+            {"address_known", explanation.is_address_known},
             {"patch", std::move(patch)},
             {"universes", std::move(universes)},
             {"channels", std::move(channels)},

@@ -196,14 +196,15 @@ std::vector<Reason> causes_in_network(const ExplainInput& input, const fixture::
                 const ChannelFacts& channel = explanation.channels[static_cast<std::size_t>(index)];
                 return channel.dmx_break == static_cast<int>(b) + 1 && channel.number > 0;
             });
-        findings.push_back({Cause::not_patched,
+        const bool is_known = explanation.is_address_known;
+        findings.push_back({is_known ? Cause::not_patched : Cause::no_address,
                             blocks,
-                            "it is not patched" +
+                            (is_known ? "it is not patched" : "its address cannot be read") +
                                 (explanation.footprint.size() > 1 ? " (break " + std::to_string(b + 1) + ")"
                                                                   : std::string()) +
                                 ": without an address its channels keep their defaults" +
                                 (blocks ? so(direct) : ""),
-                            "they are not patched",
+                            is_known ? "they are not patched" : "their address cannot be read",
                             {}});
     }
     for (const UniverseFacts& facts : explanation.universes) {

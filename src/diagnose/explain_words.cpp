@@ -95,7 +95,9 @@ std::string patch_text(const Explanation& explanation) {
         if (!text.empty()) text += "; ";
         if (explanation.footprint.size() > 1) text += "break " + std::to_string(b + 1) + ": ";
         if (b >= explanation.addresses.size() || explanation.addresses[b].channel < 1) {
-            text += "no address (" + std::to_string(bytes) + " channels)";
+            text +=
+                std::string(explanation.is_address_known ? "no address" : "an address that cannot be read") +
+                " (" + std::to_string(bytes) + " channels)";
             continue;
         }
         const fixture::Address& first = explanation.addresses[b];
@@ -104,7 +106,8 @@ std::string patch_text(const Explanation& explanation) {
                 ", " + std::to_string(bytes) + " channels";
     }
     return (text.empty() ? "no channels" : text) + "; " + explanation.maker + " " + explanation.type +
-           ", mode '" + explanation.mode + "' (" + explanation.file + ")";
+           (explanation.is_mode_known ? ", mode '" : ", mode not known, read as '") + explanation.mode +
+           "' (" + explanation.file + ")";
 }
 
 std::string channel_lines(const Explanation& explanation) {
@@ -188,8 +191,22 @@ std::string direction_text(const glm::vec3& direction) {
     return text + (ways.empty() ? "" : ", " + joined(ways));
 }
 
+// Where nobody says a place or a turn, what stands there is none of it.
+std::string points_text(const Explanation& explanation, const BeamFacts& beam) {
+    const std::string from =
+        explanation.is_place_known
+            ? "from x " + metres(beam.lens_m.x) + ", y " + metres(beam.lens_m.y) + ", z " +
+                  metres(beam.lens_m.z) + " m"
+            : std::string("from where is not known, nobody says a place that can be used");
+    return from + (explanation.is_rotation_known
+                       ? (explanation.is_place_known ? ", " : "; ") + direction_text(beam.direction)
+                       : std::string("; where to is not known, nobody says how it is turned"));
+}
+
 std::string hits_text(const Explanation& explanation, const BeamFacts& beam) {
     if (beam.glows) return "nothing: it glows and throws no beam (BeamType None or Glow of its file)";
+    if (!explanation.is_place_known) return "not known, nobody says a place that can be used";
+    if (!explanation.is_rotation_known) return "not known, nobody says how it is turned";
     if (!explanation.looked) return "not known, there is no stage";
     if (beam.hit) {
         const auto lux = [](float value) {
@@ -225,8 +242,7 @@ std::string beam_lines(const Explanation& explanation) {
     for (std::size_t i = 0; i < beam.optics.size(); ++i) text += row(i == 0 ? "optics" : "", beam.optics[i]);
     text += row("beam", beam_text(beam) + ", " + number(static_cast<double>(beam.axis_cd)) +
                             " cd in the middle" + (beam.is_cut ? " of that" : ""));
-    text += row("points", "from x " + metres(beam.lens_m.x) + ", y " + metres(beam.lens_m.y) + ", z " +
-                              metres(beam.lens_m.z) + " m, " + direction_text(beam.direction));
+    text += row("points", points_text(explanation, beam));
     text += row("hits", hits_text(explanation, beam));
     if (beam.grouped > 1)
         text += row("drawn", "as a glow of its own; its beam is part of one light for " +

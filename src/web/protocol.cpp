@@ -77,6 +77,16 @@ ordered_json desk_json(const StateNow& now) {
             {"problems", now.problems}};
 }
 
+// What of it nobody says, so that something stands in its place.
+ordered_json unsaid_json(const scene::PatchedFixture& fixture) {
+    ordered_json unsaid = ordered_json::array();
+    if (fixture.type && !fixture.is_mode_known) unsaid.push_back("mode");
+    if (!fixture.is_place_known) unsaid.push_back("place");
+    if (fixture.is_place_known && !fixture.is_rotation_known) unsaid.push_back("rotation");
+    if (!fixture.is_address_known) unsaid.push_back("address");
+    return unsaid;
+}
+
 } // namespace
 
 std::vector<std::uint8_t> picture_message(const PictureHead& head, Bytes jpeg) {
@@ -164,7 +174,8 @@ std::string show_text(std::uint16_t version, const ui::Opened& opened) {
                                 {"type", fixture.type ? fixture.type->name : ""},
                                 {"patch", fixture.address > 0 ? std::to_string(fixture.universe) + "." +
                                                                     std::to_string(fixture.address)
-                                                              : ""}});
+                                                              : ""},
+                                {"unsaid", unsaid_json(fixture)}});
         for (const scene::Camera& camera : opened.show->cameras)
             cameras.push_back({{"name", camera.name},
                                {"position_m", json_of(camera.position_m)},

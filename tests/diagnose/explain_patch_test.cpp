@@ -34,6 +34,54 @@ TEST(explain, ModeMissing) {
     EXPECT_FALSE(find(lit, Cause::no_mode)->blocks);
 }
 
+TEST(explain, ModeThatNobodyNames) {
+    Trial trial(type_of(kDimmer));
+    trial.show.fixtures[0].is_mode_known = false;
+    const Explanation dark = trial.set(1, 0).explain();
+    expect(dark, Visibility::dark, Cause::no_mode,
+           {"dark because nobody names a mode that the type has; what follows is of mode 'Standard'",
+            "the dimmer on channel 1"});
+    EXPECT_NE(words_of(dark, trial.reception).find("mode not known, read as 'Standard'"), std::string::npos);
+    EXPECT_NE(json_of(dark, trial.reception).find("\"mode_known\": false"), std::string::npos);
+    const Explanation lit = trial.set(1, 255).explain();
+    expect(lit, Visibility::lit, Cause::none, {});
+    ASSERT_TRUE(find(lit, Cause::no_mode));
+    EXPECT_FALSE(find(lit, Cause::no_mode)->blocks);
+}
+
+TEST(explain, PlaceOrTurnThatNobodySays) {
+    Trial trial(type_of(kDimmer));
+    trial.set(1, 255);
+    EXPECT_TRUE(trial.explain().beams[0].hit);
+    trial.show.fixtures[0].is_rotation_known = false;
+    const Explanation turned = trial.explain();
+    expect(turned, Visibility::lit, Cause::none, {"(nobody says how it is turned)"});
+    EXPECT_TRUE(find(turned, Cause::no_place));
+    EXPECT_FALSE(turned.beams[0].hit);
+    EXPECT_NE(words_of(turned, trial.reception).find("m; where to is not known"), std::string::npos);
+    EXPECT_NE(json_of(turned, trial.reception).find("\"direction\": null"), std::string::npos);
+    trial.show.fixtures[0].is_place_known = false;
+    const Explanation placed = trial.explain();
+    expect(placed, Visibility::lit, Cause::none, {"what it hits is not known (nobody says its place)"});
+    const std::string words = words_of(placed, trial.reception);
+    EXPECT_EQ(words.find("from x "), std::string::npos) << words;
+    EXPECT_NE(words.find("hits      not known, nobody says a place that can be used"), std::string::npos)
+        << words;
+    EXPECT_NE(json_of(placed, trial.reception).find("\"lens_m\": null"), std::string::npos);
+}
+
+TEST(explain, AddressThatCannotBeRead) {
+    Trial trial(type_of(kDimmer));
+    trial.show.fixtures[0].address = 0;
+    trial.show.fixtures[0].is_address_known = false;
+    const Explanation dark = trial.set(1, 255).explain();
+    expect(dark, Visibility::dark, Cause::no_address,
+           {"dark because its address cannot be read: without an address its channels keep their defaults",
+            "the dimmer on channel 1 is at its default 0"});
+    EXPECT_NE(words_of(dark, trial.reception).find("an address that cannot be read (1 channels)"),
+              std::string::npos);
+}
+
 TEST(explain, NotPatched) {
     Trial trial(type_of(kDimmer));
     trial.show.fixtures[0].address = 0;

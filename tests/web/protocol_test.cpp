@@ -215,6 +215,7 @@ TEST(Protocol, a_show_in_names_and_a_state_in_figures) {
     one.address = 17;
     show->fixtures.push_back(one);
     one.address = 0;
+    one.is_place_known = one.is_address_known = false;
     show->fixtures.push_back(one);
     scene::Cue cue;
     cue.name = "Second";
@@ -230,6 +231,8 @@ TEST(Protocol, a_show_in_names_and_a_state_in_figures) {
     EXPECT_EQ(said["name"], show->name);
     EXPECT_EQ(said["fixtures"][0]["patch"], "3.17");
     EXPECT_EQ(said["fixtures"][1]["patch"], "");
+    EXPECT_EQ(said["fixtures"][0]["unsaid"], nlohmann::json::array());
+    EXPECT_EQ(said["fixtures"][1]["unsaid"], (nlohmann::json{"place", "address"}));
     EXPECT_EQ(said["fixtures"][0]["name"], "broken \xEF\xBF\xBD name");
 
     ui::RigNow rig;

@@ -46,6 +46,12 @@ constexpr const char* kSentences[] = {
                                   "'%4', whose channels mean other things; %5"),
     QT_TRANSLATE_NOOP("Sentence", "its mode is not in the file: '%1' has no mode '%2' (modes: %3); it gets "
                                   "'%4', whose channels mean other things"),
+    QT_TRANSLATE_NOOP("Sentence", "nobody names a mode that the type has; what follows is of mode '%1'; %2"),
+    QT_TRANSLATE_NOOP("Sentence", "nobody names a mode that the type has; what follows is of mode '%1'"),
+    QT_TRANSLATE_NOOP("Sentence", "nobody says a place that can be used: where its beam comes from and what "
+                                  "it hits is not known"),
+    QT_TRANSLATE_NOOP("Sentence",
+                      "nobody says how it is turned: where its beam goes and what it hits is not known"),
     QT_TRANSLATE_NOOP("Sentence", "lit: %1"),
     QT_TRANSLATE_NOOP("Sentence", "dark because %1"),
     QT_TRANSLATE_NOOP("Sentence", "nearly dark (%1 of its light) because %2"),
@@ -53,6 +59,9 @@ constexpr const char* kSentences[] = {
     QT_TRANSLATE_NOOP("Sentence", "%1 of %2 beams, the brightest '%3': %4"),
     QT_TRANSLATE_NOOP("Sentence", "%1 of %2 lm, %3, it glows and throws no beam"),
     QT_TRANSLATE_NOOP("Sentence", "%1 of %2 lm, %3, what it hits is not known (no stage)"),
+    QT_TRANSLATE_NOOP("Sentence", "%1 of %2 lm, %3, what it hits is not known (nobody says its place)"),
+    QT_TRANSLATE_NOOP("Sentence",
+                      "%1 of %2 lm, %3, what it hits is not known (nobody says how it is turned)"),
     QT_TRANSLATE_NOOP("Sentence", "%1 of %2 lm, %3, hits '%4' at %5 m with %6 lx"),
     QT_TRANSLATE_NOOP("Sentence", "%1 of %2 lm, %3, its middle hits nothing, its edge '%4'"),
     QT_TRANSLATE_NOOP("Sentence", "%1 of %2 lm, %3, hits nothing: it leaves the stage %4"),
@@ -76,6 +85,17 @@ constexpr const char* kSentences[] = {
         "it is not patched (break %1): without an address its channels keep their defaults, and %2"),
     QT_TRANSLATE_NOOP("Sentence",
                       "it is not patched (break %1): without an address its channels keep their defaults"),
+    QT_TRANSLATE_NOOP(
+        "Sentence",
+        "its address cannot be read: without an address its channels keep their defaults, and %1"),
+    QT_TRANSLATE_NOOP("Sentence",
+                      "its address cannot be read: without an address its channels keep their defaults"),
+    QT_TRANSLATE_NOOP(
+        "Sentence",
+        "its address cannot be read (break %1): without an address its channels keep their defaults, and %2"),
+    QT_TRANSLATE_NOOP(
+        "Sentence",
+        "its address cannot be read (break %1): without an address its channels keep their defaults"),
     QT_TRANSLATE_NOOP("Sentence", "there is no DMX: the show has no recording and no desk is listened to; "
                                   "all channels keep their defaults, and %1"),
     QT_TRANSLATE_NOOP("Sentence", "there is no DMX: the show has no recording and no desk is listened to; "
@@ -145,6 +165,9 @@ constexpr const char* kSentences[] = {
     QT_TRANSLATE_NOOP("Sentence", "their file has no Beam geometry"),
     QT_TRANSLATE_NOOP("Sentence", "they are faint next to the brightest fixture"),
     QT_TRANSLATE_NOOP("Sentence", "their mode is not in the fixture file"),
+    QT_TRANSLATE_NOOP("Sentence", "nobody names a mode that their type has"),
+    QT_TRANSLATE_NOOP("Sentence", "nobody says where they hang, or how they are turned"),
+    QT_TRANSLATE_NOOP("Sentence", "their address cannot be read"),
     QT_TRANSLATE_NOOP("Sentence", "their dimmer is at 0"),
     QT_TRANSLATE_NOOP("Sentence", "their dimmer is nearly at 0"),
     QT_TRANSLATE_NOOP("Sentence", "their dimmer is still on its way"),
