@@ -5,6 +5,8 @@
 #include "print/quantities.h"
 #include "show/show.h"
 
+#include <algorithm>
+
 namespace ghost::scene {
 
 Book book_of(const Show& show, const PrintStyle& style) {
@@ -20,7 +22,11 @@ Book book_of(const Show& show, const PrintStyle& style) {
         entry.type = type_name(fixture);
         entry.mode = mode_name(fixture);
         entry.addresses = addresses_of(fixture);
-        entry.rotation_deg = fixture.rotation_deg;
+        if (!fixture.is_address_known &&
+            std::none_of(entry.addresses.begin(), entry.addresses.end(),
+                         [](const fixture::Address& address) { return address.channel > 0; }))
+            entry.addresses.clear();
+        if (fixture.is_rotation_known) entry.rotation_deg = fixture.rotation_deg;
         if (fixture.is_place_known)
             entry.position_m = fixture.position_m;
         else
@@ -34,6 +40,10 @@ Book book_of(const Show& show, const PrintStyle& style) {
         book.unknown.push_back(
             style("%1 fixtures have no file that could be read: their light is in no picture",
                   {std::to_string(unread)}));
+    if (const auto addressless = addressless_of(show); !addressless.empty())
+        book.unknown.push_back(
+            style("the address of %1 cannot be read: all their channels have their defaults",
+                  {names_text(addressless, style)}));
     if (!placeless.empty())
         book.unknown.push_back(style(
             "nobody says a place that can be used of %1: they are drawn at the origin of what they hang on",

@@ -19,13 +19,13 @@ inline constexpr std::size_t kMostEntries = 10'000;
 
 struct BookFixture {
     std::string name;
-    std::string id;   // as the desk calls it, or ""
-    std::string uuid; // of the plot, or ""
-    std::string type; // "Vari-Lite VL2500 Spot"; "": its file could not be read
-    std::string mode; // "": nobody names one of the type's
-    std::vector<fixture::Address> addresses;
-    std::optional<glm::vec3> position_m;   // none: nobody says one
-    std::optional<glm::vec3> rotation_deg; // as a show has it; none: an older book does not say it
+    std::string id;                          // as the desk calls it, or ""
+    std::string uuid;                        // of the plot, or ""
+    std::string type;                        // "Vari-Lite VL2500 Spot"; "": its file could not be read
+    std::string mode;                        // "": nobody names one of the type's
+    std::vector<fixture::Address> addresses; // none: they cannot be read
+    std::optional<glm::vec3> position_m;     // none: nobody says one
+    std::optional<glm::vec3> rotation_deg;   // as a show has it; none: nobody says it, nor does an older book
 };
 
 struct BookPicture {

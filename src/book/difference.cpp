@@ -86,7 +86,7 @@ std::string addresses_text(const BookFixture& fixture, const PrintStyle& style) 
     std::string text;
     for (const fixture::Address& address : fixture.addresses)
         text += (text.empty() ? "" : " + ") + said_address(style, address.universe, address.channel);
-    return text;
+    return text.empty() ? style("not known") : text;
 }
 
 bool are_equal(const fixture::Address& a, const fixture::Address& b) {

@@ -18,6 +18,7 @@ std::string all_addresses(const PatchedFixture& fixture, const PrintStyle& style
     std::string text;
     const std::vector<fixture::Address> addresses = addresses_of(fixture);
     for (std::size_t part = 0; part < addresses.size(); ++part) {
+        if (!fixture.is_address_known && addresses[part].channel < 1) continue;
         // Plots name breaks that the mode does not have.
         const bool is_used = part == 0 || addresses[part].channel > 0 || footprint_of(fixture, part) > 0;
         if (is_used)
@@ -44,6 +45,11 @@ std::string said_power(const PrintStyle& style, double watts) {
     return watts > 0 ? style.number(watts, 0) : "";
 }
 
+void say_addressless(PaperTable& table, const Show& show, const PrintStyle& style) {
+    if (const std::vector<std::string> names = addressless_of(show); !names.empty())
+        table.unknown.push_back(style("The address of %1 cannot be read.", {names_text(names, style)}));
+}
+
 std::vector<std::size_t> in_order_of(std::size_t count, const auto& is_before) {
     std::vector<std::size_t> order(count);
     std::iota(order.begin(), order.end(), std::size_t{0});
@@ -55,6 +61,13 @@ std::vector<std::size_t> in_order_of(std::size_t count, const auto& is_before) {
 
 std::string said_address(const PrintStyle& style, int universe, int channel) {
     return channel < 1 ? style("not patched") : address_text(universe, channel);
+}
+
+std::vector<std::string> addressless_of(const Show& show) {
+    std::vector<std::string> names;
+    for (const PatchedFixture& fixture : show.fixtures)
+        if (!fixture.is_address_known) names.push_back(fixture.name);
+    return names;
 }
 
 std::string type_name(const PatchedFixture& fixture) {
@@ -138,6 +151,7 @@ PaperTable instruments_of(const Show& show, const PrintStyle& style) {
         if (fixture.type && !is_mode_said(fixture)) modeless.push_back(fixture.name);
     }
     drop_empty_columns(table);
+    say_addressless(table, show, style);
     if (!placeless.empty())
         table.unknown.push_back(
             style("Nobody says a place that can be used of %1.", {names_text(placeless, style)}));
@@ -184,6 +198,7 @@ PaperTable hookup_of(const Show& show, const PrintStyle& style) {
                                hangings[i].position, hangings[i].unit, hangings[i].function}});
     }
     drop_empty_columns(table);
+    say_addressless(table, show, style);
     if (numberless == 1)
         table.unknown.push_back(style(
             "The number by which a desk calls them: 1 fixture does not say it, and is sorted by name."));

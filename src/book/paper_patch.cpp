@@ -106,9 +106,17 @@ PaperRow free_row(const PrintStyle& style, int universe, const Gap& gap, bool is
             true};
 }
 
+// Channels of whose address cannot be read may be anywhere.
+void say_anywhere(PaperTable& table, const std::vector<std::string>& addressless, const PrintStyle& style) {
+    if (!addressless.empty())
+        table.unknown.push_back(style("The address of %1 cannot be read: less may be free, in any universe.",
+                                      {names_text(addressless, style)}));
+}
+
 } // namespace
 
 PaperTable patch_of(const Show& show, const PrintStyle& style) {
+    const std::vector<std::string> addressless = addressless_of(show);
     PaperTable table{"patch", style("Patch by universe"), {}, {}, {}};
     table.columns = {{style("universe"), true}, {style("from"), true}, {style("to"), true},
                      {style("channels"), true}, {style("name")},       {style("number"), false, true},
@@ -120,7 +128,7 @@ PaperTable patch_of(const Show& show, const PrintStyle& style) {
         std::size_t gap = 0;
         const Segment* before = nullptr; // that reaches farthest
         // Whether what is free is: a fixture of unknown length may reach to the universe's end.
-        bool is_certain = true;
+        bool is_certain = addressless.empty();
         const auto put_gaps = [&](int until) {
             for (; gap < gaps.size() && gaps[gap].from < until; ++gap)
                 table.rows.push_back(free_row(style, universe, gaps[gap], is_certain));
@@ -148,12 +156,14 @@ PaperTable patch_of(const Show& show, const PrintStyle& style) {
     std::vector<std::string> unpatched;
     for (const PatchedFixture& fixture : show.fixtures) {
         const auto addresses = addresses_of(fixture);
-        if (std::none_of(addresses.begin(), addresses.end(),
+        if (fixture.is_address_known &&
+            std::none_of(addresses.begin(), addresses.end(),
                          [](const fixture::Address& address) { return address.channel > 0; }))
             unpatched.push_back(fixture.name);
     }
     if (!unpatched.empty())
         table.unknown.push_back(style("Not patched: %1.", {names_text(unpatched, style)}));
+    say_anywhere(table, addressless, style);
     drop_empty_columns(table);
     return table;
 }
@@ -181,6 +191,7 @@ PaperTable universes_of(const Show& show, const PrintStyle& style) {
             {{std::to_string(universe), std::to_string(fixtures.size()), std::to_string(kSlots - free),
               std::to_string(free), std::to_string(largest), std::to_string(last)}});
     }
+    say_anywhere(table, addressless_of(show), style);
     return table;
 }
 

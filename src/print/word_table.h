@@ -81,6 +81,11 @@ inline constexpr Translation kWords[] = {
     {"The file of the type could not be read of %1: type, mode, channels, weight and power are not known.",
      "Die Datei des Typs war bei %1 nicht lesbar: Typ, Modus, Kanäle, Gewicht und Leistung sind nicht "
      "bekannt."},
+    {"The address of %1 cannot be read.", "Die Adresse von %1 ist nicht lesbar."},
+    {"The address of %1 cannot be read: less may be free, in any universe.",
+     "Die Adresse von %1 ist nicht lesbar: es kann weniger frei sein, in jedem Universum."},
+    {"the address of %1 cannot be read: all their channels have their defaults",
+     "die Adresse von %1 ist nicht lesbar: alle ihre Kanäle haben ihre Grundwerte"},
     {"Nobody says a place that can be used of %1.", "Niemand nennt einen brauchbaren Ort von %1."},
     {"Nobody names a mode that the type has of %1: channels, and power where modes differ in it, are not "
      "known.",
@@ -96,6 +101,10 @@ inline constexpr Translation kWords[] = {
      "Ausgelassen, denn niemand nennt einen brauchbaren Ort, oder einen Modus, den der Typ hat: %1."},
     {"Not drawn, for nobody says a place that can be used: %1.",
      "Nicht gezeichnet, denn niemand nennt einen brauchbaren Ort: %1."},
+    {"Drawn as if they hung upright, for nobody says how they are turned: %1.",
+     "Gezeichnet, als hingen sie gerade, denn niemand sagt, wie sie gedreht sind: %1."},
+    {"Nobody says how they are turned: where the beam goes is not known of %1.",
+     "Niemand sagt, wie sie gedreht sind: wohin der Strahl geht, ist nicht bekannt von %1."},
     {"The number by which a desk calls them: 1 fixture does not say it, and is sorted by name.",
      "Die Nummer, mit der ein Pult sie ruft: 1 Gerät sagt sie nicht und ist nach Namen sortiert."},
     {"The number by which a desk calls them: %1 fixtures do not say it, and are sorted by name.",

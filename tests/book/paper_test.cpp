@@ -150,6 +150,28 @@ TEST(Instruments, leave_empty_what_was_replaced_while_loading) {
                     .starts_with("Niemand nennt einen brauchbaren Ort von b"));
 }
 
+TEST(Patch, is_free_at_most_where_an_address_cannot_be_read) {
+    Show show;
+    show.fixtures = {hung("a", 1, 1), hung("odd", 1, 0), hung("none", 1, 0)};
+    show.fixtures[1].is_address_known = false;
+    const Paper paper = paper_of(show);
+    const PaperTable patch = table(paper, "patch");
+    EXPECT_EQ(column(patch, "name"), (Cells{"a", "free at most"}));
+    EXPECT_EQ(patch.unknown,
+              (Cells{"Not patched: none.",
+                     "The address of odd cannot be read: less may be free, in any universe."}));
+    EXPECT_EQ(table(paper, "universes").unknown.back(), patch.unknown.back());
+    for (const char* const file : {"instruments", "hookup"}) {
+        const PaperTable one = table(paper, file);
+        const Cells names = column(one, "name"), addresses = column(one, "address");
+        for (std::size_t k = 0; k < names.size(); ++k)
+            EXPECT_EQ(addresses[k], names[k] == "a" ? "1.1" : names[k] == "odd" ? "" : "not patched");
+        EXPECT_EQ(one.unknown[0], "The address of odd cannot be read.");
+    }
+    EXPECT_EQ(table(paper_of(show, {.language = Language::german}), "patch").unknown.back(),
+              "Die Adresse von odd ist nicht lesbar: es kann weniger frei sein, in jedem Universum.");
+}
+
 TEST(Instruments, leave_out_breaks_that_their_mode_does_not_have) {
     Show show;
     show.fixtures = {hung("a", 1, 1), hung("b", 1, 0), hung("c", 1, 4)};

@@ -29,6 +29,8 @@ PaperTable phases_of(const Show& show, const PrintStyle& style);
 PaperTable phases_proposed(const Show& show, const PrintStyle& style, std::optional<double> circuit_w);
 
 std::string said_address(const PrintStyle& style, int universe, int channel);
+// Names of those of which an address is written that cannot be read.
+std::vector<std::string> addressless_of(const Show& show);
 
 // "Vari-Lite VL2500 Spot"; "": its file could not be read.
 std::string type_name(const PatchedFixture& fixture);
