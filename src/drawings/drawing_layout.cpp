@@ -327,12 +327,19 @@ std::vector<std::string> Drawing::notes(std::size_t unlabelled) const {
     if (std::all_of(stage_.instances.begin(), stage_.instances.end(),
                     [](const Instance& one) { return one.fixture != kNone; }))
         said.push_back(style_("The show has no stage model: trusses and set are not drawn."));
-    std::vector<std::string> placeless;
-    for (const PatchedFixture& fixture : show_.fixtures)
-        if (!fixture.is_place_known) placeless.push_back(fixture.name);
+    std::vector<std::string> placeless, turnless;
+    for (const PatchedFixture& fixture : show_.fixtures) {
+        if (!fixture.is_place_known)
+            placeless.push_back(fixture.name);
+        else if (!fixture.is_rotation_known)
+            turnless.push_back(fixture.name);
+    }
     if (!placeless.empty())
         said.push_back(style_("Not drawn, for nobody says a place that can be used: %1.",
                               {names_text(placeless, style_)}));
+    if (!turnless.empty())
+        said.push_back(style_("Drawn as if they hung upright, for nobody says how they are turned: %1.",
+                              {names_text(turnless, style_)}));
     std::size_t sizeless = 0, typeless = 0;
     for (const RiggedFixture& fixture : rig_) {
         if (!fixture.is_size_known) ++sizeless;

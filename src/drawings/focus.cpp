@@ -132,7 +132,7 @@ FocusChart focus_of(const Show& show, std::span<const fixture::State> states, co
     chart.moment = moment;
     chart.has_stage = find != nullptr;
     const std::vector<Hanging> hangings = hangings_of(show);
-    std::vector<std::string> beamless, unsaid, aimless, angleless, irised, looked_past, near;
+    std::vector<std::string> beamless, unsaid, turnless, aimless, angleless, irised, looked_past, near;
     for (const std::size_t i : in_hanging_order(hangings)) {
         const PatchedFixture& fixture = show.fixtures[i];
         if (!fixture.type || i >= states.size() || states[i].beams.empty()) {
@@ -157,10 +157,13 @@ FocusChart focus_of(const Show& show, std::span<const fixture::State> states, co
         lamp.light_percent = values_of(*fixture.type, states[i]).light_percent;
         aim(by * fixture_to_world(fixture, 0), states[i], lamp);
         const fixture::Mode& mode = fixture.type->modes[static_cast<std::size_t>(fixture.mode)];
+        lamp.is_rotation_known = fixture.is_rotation_known;
         lamp.is_pan_known = is_range_said(mode, fixture::Role::pan);
         lamp.is_tilt_known = is_range_said(mode, fixture::Role::tilt);
         lamp.is_angle_known = is_angle_said(*fixture.type, mode, states[i].beams.front());
-        if (!lamp.is_aim_known())
+        if (!lamp.is_rotation_known)
+            turnless.push_back(fixture.name);
+        else if (!lamp.is_aim_known())
             aimless.push_back(fixture.name);
         else if (find)
             lamp.hit = hit_of(lamp, find);
@@ -188,6 +191,10 @@ FocusChart focus_of(const Show& show, std::span<const fixture::State> states, co
         chart.unknown.push_back(
             style("Left out, for nobody says a place that can be used, or a mode that the type has: %1.",
                   {names_text(unsaid, style)}));
+    if (!turnless.empty())
+        chart.unknown.push_back(
+            style("Nobody says how they are turned: where the beam goes is not known of %1.",
+                  {names_text(turnless, style)}));
     if (!aimless.empty())
         chart.unknown.push_back(
             style("Pan or tilt without a range in the file: where the beam goes is not known of %1.",

@@ -40,6 +40,7 @@ struct FocusLamp {
     glm::vec3 way{0, 0, -1};
     float pan_deg = 0, tilt_deg = 0;
     bool has_axes = false;
+    bool is_rotation_known = true;                  // false: nobody says how it is turned
     bool is_pan_known = true, is_tilt_known = true; // false: its file gives no range, and one was assumed
     float angle_deg = 0;                            // field, of what the iris leaves
     bool is_angle_known = true;                     // false: its file says none, and has been given one
@@ -50,7 +51,7 @@ struct FocusLamp {
     std::vector<glm::dvec2> pool_m; // its edge on that floor, round the way
     bool is_pool_whole = true;      // false: a part of its edge reaches no floor
 
-    bool is_aim_known() const { return is_pan_known && is_tilt_known; }
+    bool is_aim_known() const { return is_rotation_known && is_pan_known && is_tilt_known; }
     glm::vec3 aim_m() const { return lens_m + (hit ? hit->distance_m : 0.0f) * way; }
 };
 

@@ -429,6 +429,18 @@ TEST(Sheets, draw_nobody_whose_place_is_not_known) {
         1);
 }
 
+TEST(Sheets, name_whose_turn_nobody_says) {
+    Show show = show_of(2);
+    show.fixtures[1].is_rotation_known = false;
+    const Stage stage;
+    const LaidOut plan(show, stage, from_above(), true);
+    EXPECT_EQ(plan.drawing.rig().size(), 2u);
+    const std::vector<std::string>& said = plan.drawing.remarks();
+    EXPECT_EQ(std::count(said.begin(), said.end(),
+                         "Drawn as if they hung upright, for nobody says how they are turned: Spot 2."),
+              1);
+}
+
 TEST(Sheets, of_a_cut_section_count_what_is_left) {
     const Show show = show_of(10); // from -4.5 m to 4.5 m
     const Stage stage;

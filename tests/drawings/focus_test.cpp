@@ -142,6 +142,20 @@ TEST(Focus, leaves_out_whose_place_or_mode_nobody_knows) {
     EXPECT_NE(chart.unknown.back().find("Modeless, Nowhere"), std::string::npos) << chart.unknown.back();
 }
 
+TEST(Focus, has_no_aim_of_whom_nobody_says_how_it_is_turned) {
+    Show show = lamp_at(30);
+    show.fixtures[0].is_rotation_known = false;
+    const FocusChart chart = focus_of(show, states_of(show), {}, {}, "Now.");
+    ASSERT_EQ(chart.lamps.size(), 1u);
+    EXPECT_FALSE(chart.lamps[0].hit);
+    EXPECT_TRUE(chart.lamps[0].pool_m.empty());
+    EXPECT_EQ(chart.unknown.back(),
+              "Nobody says how they are turned: where the beam goes is not known of Lamp.");
+    const PaperTable table = table_of(chart);
+    EXPECT_EQ(table.rows[0].cells[4].find("1 m right"), 0u) << "its place is known";
+    for (const std::size_t k : {6u, 7u, 8u}) EXPECT_EQ(table.rows[0].cells[k], "");
+}
+
 TEST(Focus, is_where_movers_carry_a_lamp) {
     const Show show = lamp_at(0);
     const std::array moved{glm::translate(glm::mat4(1.0f), {2, 0, -3})};
