@@ -109,6 +109,18 @@ class FirstMinutes(unittest.TestCase):
         finally:
             self.assertEqual(window.close(), 0)
 
+    def test_a_plot_by_its_bare_name_is_printed(self):
+        folder = WORK / "bare name"
+        folder.mkdir()
+        plot(folder / "tour.mvr")
+        window = Window("--size", "900x600", "--no-desk", "--quiet", show="tour.mvr", folder=folder)
+        try:
+            window.do("wait opened", "paperwork", "cue-book", 'export-paper paper "--language" de', "wait jobs", "screenshot dialogs.png")
+            self.assertIn("Geräteliste", (folder / "paper/index.html").read_text(encoding="utf-8"))
+            self.assertEqual(window.state()["show"], "./tour.mvr")
+        finally:
+            self.assertEqual(window.close(), 0)
+
     def test_hands_and_cues(self):
         show = WORK / "cues"
         shutil.copytree(WORK / "demo", show)

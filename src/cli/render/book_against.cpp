@@ -58,7 +58,8 @@ Result<ComparedPicture> compare_picture(const fs::path& old_root, const std::str
 }
 
 std::string folder_name(const fs::path& path) {
-    const fs::path whole = fs::absolute(path).lexically_normal();
+    std::error_code code;
+    const fs::path whole = fs::absolute(path, code).lexically_normal();
     return (whole.has_filename() ? whole : whole.parent_path()).filename().string();
 }
 

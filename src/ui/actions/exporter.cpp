@@ -69,7 +69,7 @@ Result<QString> Exporter::show_file() const {
     if (document_.is_changed() || document_.has_draft())
         return Error{"save the show first (Ctrl+S): what runs in the background reads its file",
                      app_.show()->file.string()};
-    return QString::fromStdString(std::filesystem::absolute(app_.show()->file).string());
+    return QFileInfo(QString::fromStdString(app_.show()->file.string())).absoluteFilePath();
 }
 
 QStringList Exporter::tone_arguments() const {
@@ -106,8 +106,8 @@ Result<QStringList> Exporter::look_arguments(bool for_farm) {
         for_farm ? folder / ("look-" + hash_of(text) + ".toml") : temporary_beside(folder / kLookFile);
     if (std::error_code code; !for_farm || !std::filesystem::exists(file, code))
         TRY_VOID(scene::write_looks(file, text));
-    return QStringList{"--looks", QString::fromStdString(std::filesystem::absolute(file).string()), "--look",
-                       kLookName};
+    return QStringList{"--looks", QFileInfo(QString::fromStdString(file.string())).absoluteFilePath(),
+                       "--look", kLookName};
 }
 
 Result<int> Exporter::bake(const BakeWish& wish) {

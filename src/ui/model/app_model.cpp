@@ -10,6 +10,7 @@
 #include <QCoreApplication>
 
 #include <algorithm>
+#include <filesystem>
 #include <iterator>
 #include <utility>
 
@@ -209,11 +210,16 @@ void AppModel::take_opened(Opened opened) {
 }
 
 void AppModel::open(const std::string& show) {
-    if (show == request_.show && !open_error_) return;
+    // "tour.mvr" of the working directory gets a folder, in which what lies beside it is found.
+    std::error_code code;
+    const bool is_bare =
+        !std::filesystem::path(show).has_parent_path() && std::filesystem::is_regular_file(show, code);
+    const std::string named = is_bare ? "./" + show : show;
+    if (named == request_.show && !open_error_) return;
     open_error_.reset();
     wish([&](ViewRequest& request) {
         request.text.reset();
-        request.show = show;
+        request.show = named;
         ++request.opens;
     });
 }

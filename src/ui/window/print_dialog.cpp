@@ -8,6 +8,7 @@
 #include <QDir>
 #include <QFile>
 #include <QFileDialog>
+#include <QFileInfo>
 #include <QFontMetrics>
 #include <QHBoxLayout>
 #include <QHeaderView>
@@ -260,8 +261,8 @@ QWidget* PrintDialog::make_preview() {
 
 void PrintDialog::name_show() {
     if (!app_.show()) return;
-    const QString folder = QString::fromStdString(std::filesystem::absolute(app_.show()->folder).string());
-    folder_->setText(QDir(folder).filePath(what_ == What::paper ? "paper" : "book"));
+    const QDir folder = QFileInfo(QString::fromStdString(app_.show()->file.string())).absoluteDir();
+    folder_->setText(folder.filePath(what_ == What::paper ? "paper" : "book"));
     if (!camera_) return;
     camera_->clear();
     camera_->addItem(translated("Print", "The first camera"), "");

@@ -33,8 +33,8 @@ LONG_S = 600  # for what a busy machine may take
 class Window:
     """A window of its own process, with the demo, driven over its socket."""
 
-    def __init__(self, *arguments, show=None, before=(), environment=None):
-        """before: a command that runs it, like ip netns exec; environment: more of it."""
+    def __init__(self, *arguments, show=None, before=(), environment=None, folder=None):
+        """before: a command that runs it, like ip netns exec; environment: more of it; folder: in which it runs."""
         self.socket_path = str(WORK / f"socket-{os.getpid()}-{time.monotonic_ns()}")
         environment = dict(os.environ, DISPLAY=DISPLAY, XDG_CONFIG_HOME=str(WORK / "config"), LC_ALL="C.UTF-8", LANGUAGE="en",
                            **(environment or {}))
@@ -42,7 +42,7 @@ class Window:
         environment.pop("QT_QPA_PLATFORM", None)
         self.log = open(WORK / "window.log", "w+")
         self.process = subprocess.Popen([*before, str(PROGRAM), "open", str(show or WORK / "demo"), "--forget", "--socket", self.socket_path,
-                                         *map(str, arguments)], env=environment, stderr=self.log, stdout=self.log)
+                                         *map(str, arguments)], env=environment, cwd=folder, stderr=self.log, stdout=self.log)
         self.socket = socket.socket(socket.AF_UNIX)
         self.socket.settimeout(LONG_S)
         for _ in range(LONG_S * 10):

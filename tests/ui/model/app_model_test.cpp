@@ -5,6 +5,8 @@
 #include "support/test_window.h"
 #include "ui/actions/programmer_actions.h"
 
+#include <QDir>
+
 #include <random>
 
 namespace ghost::ui {
@@ -20,6 +22,19 @@ TEST(AppModel, news_of_another_thread_arrive_in_the_window) {
     ASSERT_NE(bench.app.show(), nullptr);
     EXPECT_EQ(bench.app.show()->fixtures.size(), 4u);
     EXPECT_EQ(bench.app.rig().fixtures.size(), 4u);
+}
+
+TEST(AppModel, a_show_of_the_working_directory_gets_its_folder) {
+    QTemporaryDir place;
+    const QString before = QDir::currentPath();
+    QDir::setCurrent(place.path());
+    ASSERT_TRUE(QFile("tour.mvr").open(QIODevice::WriteOnly));
+    Bench bench;
+    bench.app.open("tour.mvr");
+    EXPECT_EQ(bench.app.request().show, "./tour.mvr");
+    bench.app.open("another");
+    EXPECT_EQ(bench.app.request().show, "another") << "no file: it is said by this name";
+    QDir::setCurrent(before);
 }
 
 TEST(AppModel, the_newest_wish_is_whole) {
