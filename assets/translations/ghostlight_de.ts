@@ -2791,6 +2791,26 @@
         <translation>Vier auf einer Seite, mit dem, was sich ändert</translation>
     </message>
     <message>
+        <source>Marks in a CSV file</source>
+        <translation>Marken in einer CSV-Datei</translation>
+    </message>
+    <message>
+        <source>Marks</source>
+        <translation>Marken</translation>
+    </message>
+    <message>
+        <source>File of the marks</source>
+        <translation>Datei der Marken</translation>
+    </message>
+    <message>
+        <source>time, number, name, note</source>
+        <translation>Zeit, Nummer, Name, Notiz</translation>
+    </message>
+    <message>
+        <source>Choose the file of the marks</source>
+        <translation>Datei der Marken wählen</translation>
+    </message>
+    <message>
         <source>Twelve on a page</source>
         <translation>Zwölf auf einer Seite</translation>
     </message>

@@ -130,6 +130,14 @@ PrintDialog::PrintDialog(What what, AppModel& app, Actions& actions, QWidget* pa
         what == What::paper ? translated("Print", "All tables as PDF") : translated("Print", "As PDF"), this);
     page_ = choice(translated("Print", "Page"), {{"A4", "A4"}, {"Letter", "Letter"}}, this);
     what == What::paper ? add_paper_choices(*form) : add_book_choices(*form);
+    language_ = choice(translated("Print", "Language"), {{"English", "en"}, {"Deutsch", "de"}}, this);
+    language_->setCurrentIndex(std::max(language_->findData(language()), 0));
+    units_ = choice(translated("Print", "Units"),
+                    {{QT_TRANSLATE_NOOP("Print", "Metres, kilograms"), "metric"},
+                     {QT_TRANSLATE_NOOP("Print", "Feet, pounds"), "imperial"}},
+                    this);
+    form->addRow(translated("Print", "Language"), language_);
+    form->addRow(translated("Print", "Units"), units_);
     form->addRow(translated("Print", "Page"), page_);
     form->addRow(pdf_);
 
@@ -189,12 +197,6 @@ void PrintDialog::add_paper_choices(QFormLayout& form) {
                      {"Tabloid", "Tabloid"},
                      {"Arch D", "ArchD"}},
                     this);
-    language_ = choice(translated("Print", "Language"), {{"English", "en"}, {"Deutsch", "de"}}, this);
-    language_->setCurrentIndex(std::max(language_->findData(language()), 0));
-    units_ = choice(translated("Print", "Units"),
-                    {{QT_TRANSLATE_NOOP("Print", "Metres, kilograms"), "metric"},
-                     {QT_TRANSLATE_NOOP("Print", "Feet, pounds"), "imperial"}},
-                    this);
     for (QComboBox* of_plan : {scale_, sheet_}) {
         of_plan->setEnabled(false);
         connect(plan_, &QCheckBox::toggled, of_plan, &QWidget::setEnabled);
@@ -203,8 +205,6 @@ void PrintDialog::add_paper_choices(QFormLayout& form) {
     form.addRow(translated("Print", "Scale"), scale_);
     form.addRow(translated("Print", "Sheet"), sheet_);
     form.addRow(focus_);
-    form.addRow(translated("Print", "Language"), language_);
-    form.addRow(translated("Print", "Units"), units_);
 }
 
 void PrintDialog::add_book_choices(QFormLayout& form) {
@@ -212,8 +212,28 @@ void PrintDialog::add_book_choices(QFormLayout& form) {
                       {{QT_TRANSLATE_NOOP("Print", "Cues, else looks"), ""},
                        {QT_TRANSLATE_NOOP("Print", "Cues"), "--cues"},
                        {QT_TRANSLATE_NOOP("Print", "Looks"), "--looks"},
-                       {QT_TRANSLATE_NOOP("Print", "Where the recording rests"), "--find"}},
+                       {QT_TRANSLATE_NOOP("Print", "Where the recording rests"), "--find"},
+                       {QT_TRANSLATE_NOOP("Print", "Marks in a CSV file"), "--marks"}},
                       this);
+    marks_ = new QLineEdit(this);
+    marks_->setAccessibleName(translated("Print", "File of the marks"));
+    marks_->setPlaceholderText(translated("Print", "time, number, name, note"));
+    auto* choose = new QPushButton(translated("Print", "Choose..."), this);
+    choose->setAccessibleName(translated("Print", "Choose the file of the marks"));
+    connect(choose, &QPushButton::clicked, this, [this] {
+        const QString chosen =
+            QFileDialog::getOpenFileName(this, translated("Print", "Marks in a CSV file"), marks_->text());
+        if (!chosen.isEmpty()) marks_->setText(chosen);
+    });
+    auto* marks = new QHBoxLayout;
+    marks->addWidget(marks_, 1);
+    marks->addWidget(choose);
+    const auto ask_for_marks = [this, choose] {
+        for (QWidget* const one : std::initializer_list<QWidget*>{marks_, choose})
+            one->setEnabled(takes_marks());
+    };
+    connect(entries_, &QComboBox::currentIndexChanged, this, ask_for_marks);
+    ask_for_marks();
     camera_ = choice(translated("Print", "Camera"), {}, this);
     size_ = choice(translated("Print", "Size of pictures"),
                    {{"640x360", "640x360"}, {"480x270", "480x270"}, {"1280x720", "1280x720"}}, this);
@@ -225,6 +245,7 @@ void PrintDialog::add_book_choices(QFormLayout& form) {
     against_->setAccessibleName(translated("Print", "An older show, plot or book to compare with"));
     against_->setPlaceholderText(translated("Print", "an older show, plot or book"));
     form.addRow(translated("Print", "Entries"), entries_);
+    form.addRow(translated("Print", "Marks"), marks);
     form.addRow(translated("Print", "Camera"), camera_);
     form.addRow(translated("Print", "Pictures"), size_);
     form.addRow(translated("Print", "Layout"), layout_);
@@ -272,29 +293,37 @@ void PrintDialog::name_show() {
     }
 }
 
+bool PrintDialog::takes_marks() const {
+    return entries_->currentData().toString() == "--marks";
+}
+
 QString PrintDialog::options() const {
-    QString words;
+    QStringList words;
     const auto add = [&](const char* option, const QString& value) {
-        if (!value.isEmpty()) words += QString(" %1 %2").arg(option, quoted(value));
+        if (!value.isEmpty()) words << option << quoted(value);
     };
     add("--paper", page_->currentData().toString());
-    if (pdf_->isChecked()) words += " --pdf";
+    add("--language", language_->currentData().toString());
+    add("--units", units_->currentData().toString());
+    if (pdf_->isChecked()) words << "--pdf";
     if (what_ == What::book) {
-        words += " " + entries_->currentData().toString();
+        if (takes_marks())
+            add("--marks", marks_->text());
+        else if (const QString kind = entries_->currentData().toString(); !kind.isEmpty())
+            words << kind;
         add("--view", camera_->currentData().toString());
         add("--size", size_->currentData().toString());
         add("--layout", layout_->currentData().toString());
         add("--against", against_->text());
-        return words.simplified();
+        return words.join(' ');
     }
-    add("--language", language_->currentData().toString());
-    add("--units", units_->currentData().toString());
-    if (focus_->isChecked()) words += " --focus";
-    if (!plan_->isChecked()) return words.simplified();
-    words += " --plan";
-    add("--scale", scale_->currentData().toString());
-    add("--sheet", sheet_->currentData().toString());
-    return words.simplified();
+    if (focus_->isChecked()) words << "--focus";
+    if (plan_->isChecked()) {
+        words << "--plan";
+        add("--scale", scale_->currentData().toString());
+        add("--sheet", sheet_->currentData().toString());
+    }
+    return words.join(' ');
 }
 
 void PrintDialog::make() {

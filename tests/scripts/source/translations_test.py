@@ -36,7 +36,7 @@ NO_TEXT = {
     "words of attributes in GDTF": {"Color", "Colour"},
     "parts of an error that stand before it": {"' is no ", " and "},
     "words of scripts and of this program's commands": {"cue ", "tone ", "palette ", "fan ", " up", " down", "between", " slurm", "gel ", "motion machine", "motion commanded", "mover-address "},
-    "options of this program's commands": {" --pdf", " --focus", " --plan"},
+    "options of this program's commands": {"--pdf", "--focus", "--plan"},
     "sheets of paper, called so everywhere": {"Letter", "Tabloid", "Arch D", "ArchD"},
     "languages by their own names": {"English", "Deutsch"},
 }

@@ -2,6 +2,7 @@
 // Paperwork and cue book from the window: where they go, what the command is given, what is seen of them.
 #include "show/show.h"
 #include "support/test_window.h"
+#include "ui/language/language.h"
 #include "ui/window/private/print_dialog.h"
 #include "ui/window/window.h"
 
@@ -57,6 +58,46 @@ TEST(PrintDialog, opens_for_a_show_by_its_bare_name) {
     const QDir here(QDir::currentPath());
     EXPECT_EQ(in.folder_of(in.dialog("paperwork")).text(), here.filePath("paper"));
     EXPECT_EQ(in.folder_of(in.dialog("cue-book")).text(), here.filePath("book"));
+}
+
+TEST(PrintDialog, a_book_has_a_language_units_and_marks) {
+    Printing in;
+    const PrintDialog& book = in.dialog("cue-book");
+    const auto choose = [&](const char* name, const QString& value) {
+        QComboBox& box = *in.named<QComboBox>(book, name);
+        box.setCurrentIndex(box.findData(value));
+    };
+    EXPECT_TRUE(book.options().contains("--language \"en\" --units \"metric\""))
+        << book.options().toStdString();
+    choose("Language", "de");
+    choose("Units", "imperial");
+    EXPECT_TRUE(book.options().contains("--language \"de\" --units \"imperial\""))
+        << book.options().toStdString();
+    QLineEdit& marks = *in.named<QLineEdit>(book, "File of the marks");
+    EXPECT_FALSE(marks.isEnabled());
+    marks.setText("cues.csv");
+    EXPECT_FALSE(book.options().contains("cues.csv"));
+    choose("Entries", "--marks");
+    EXPECT_TRUE(marks.isEnabled());
+    EXPECT_TRUE(book.options().contains("--marks \"cues.csv\"")) << book.options().toStdString();
+}
+
+TEST(PrintDialog, a_german_window_makes_german_books) {
+    set_language("de");
+    {
+        Printing in;
+        EXPECT_TRUE(in.dialog("cue-book").options().contains("--language \"de\""));
+    }
+    set_language("en");
+}
+
+TEST(PrintDialog, blanks_in_a_value_stay) {
+    Printing in;
+    const PrintDialog& book = in.dialog("cue-book");
+    in.named<QLineEdit>(book, "An older show, plot or book to compare with")->setText("last  night/tour  a");
+    const Result<QStringList> words = split_line(book.options());
+    ASSERT_TRUE(words.ok());
+    EXPECT_TRUE(words->contains("last  night/tour  a")) << book.options().toStdString();
 }
 
 } // namespace

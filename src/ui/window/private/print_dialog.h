@@ -33,6 +33,7 @@ public:
 private:
     void add_paper_choices(QFormLayout& form);
     void add_book_choices(QFormLayout& form);
+    bool takes_marks() const;
     QWidget* make_preview();
     void name_show();
     void make();
@@ -48,9 +49,9 @@ private:
     bool is_shown_ = false;
     QString made_; // the folder that the job makes
     QLineEdit* folder_;
-    QComboBox *page_, *language_ = nullptr, *units_ = nullptr, *scale_ = nullptr, *sheet_ = nullptr;
+    QComboBox *page_, *language_, *units_, *scale_ = nullptr, *sheet_ = nullptr;
     QComboBox *entries_ = nullptr, *camera_ = nullptr, *size_ = nullptr, *layout_ = nullptr;
-    QLineEdit* against_ = nullptr;
+    QLineEdit *against_ = nullptr, *marks_ = nullptr;
     QCheckBox *pdf_, *plan_ = nullptr, *focus_ = nullptr;
     QLabel* said_;
     QProgressBar* bar_;
