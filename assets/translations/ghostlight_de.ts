@@ -2811,6 +2811,37 @@
         <translation>Datei der Marken wählen</translation>
     </message>
     <message>
+        <source>The book is larger than what is shown here: open it in the browser.</source>
+        <translation>Das Buch ist größer als das, was hier gezeigt wird: im Browser öffnen.</translation>
+    </message>
+    <message>
+        <source>The book cannot be read: %1</source>
+        <translation>Das Buch ist nicht lesbar: %1</translation>
+    </message>
+    <message>
+        <source>Here are the first %1 rows; all are in the folder.</source>
+        <translation>Hier stehen die ersten %1 Zeilen; alle sind im Ordner.</translation>
+    </message>
+    <message>
+        <source>Here are the first %1 of %2 entries; all are in the folder.</source>
+        <translation>Hier stehen die ersten %1 von %2 Einträgen; alle sind im Ordner.</translation>
+    </message>
+    <message>
+        <source>What is left empty, and why</source>
+        <translation>Was leer bleibt, und warum</translation>
+    </message>
+    <message>
+        <source>Remarks</source>
+        <translation>Anmerkungen</translation>
+    </message>
+    <message numerus="yes">
+        <source>, with %n remark(s)</source>
+        <translation>
+            <numerusform>, mit %n Anmerkung</numerusform>
+            <numerusform>, mit %n Anmerkungen</numerusform>
+        </translation>
+    </message>
+    <message>
         <source>Twelve on a page</source>
         <translation>Zwölf auf einer Seite</translation>
     </message>

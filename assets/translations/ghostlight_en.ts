@@ -131,6 +131,16 @@
     </message>
 </context>
 <context>
+    <name>Print</name>
+    <message numerus="yes">
+        <source>, with %n remark(s)</source>
+        <translation>
+            <numerusform>, with %n remark</numerusform>
+            <numerusform>, with %n remarks</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>RDM</name>
     <message numerus="yes">
         <source>; %1 identify themselves</source>

@@ -14,6 +14,7 @@ constexpr int kPatience_ms = 20000; // a bake finishes its batch of lights
 constexpr int kShortPatience_ms = 3000;
 constexpr std::size_t kMostKept = 50; // that are over
 constexpr qsizetype kLongestLine = 4096;
+constexpr qsizetype kMostRemarks = 100;
 const char* const kProgressEvery_s = "0.25";
 
 } // namespace
@@ -146,6 +147,11 @@ void Jobs::take_line(const QString& line) {
         job->left = progress->left;
     } else if (!line.trimmed().isEmpty()) {
         job->last_said = line.trimmed();
+        static const QRegularExpression kForm("^(warning|error): (.*)$");
+        const QRegularExpressionMatch remark = kForm.match(job->last_said);
+        if (!remark.hasMatch()) return;
+        ++job->remark_count;
+        if (job->remarks.size() < kMostRemarks) job->remarks << remark.captured(2);
     }
 }
 

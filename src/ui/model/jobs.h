@@ -26,7 +26,9 @@ struct Job {
     double share = 0;         // of the work that is done
     QString left;             // "1:05", time that it still takes; empty: not known yet
     QString doing;            // "baking", and what of
-    QString last_said;        // warnings and errors
+    QString last_said;        // that is no progress
+    QStringList remarks;      // the first warnings and errors
+    int remark_count = 0;     // of all of them
     bool is_given_up = false; // somebody cancelled it; it may take a while to end
 
     bool is_over() const { return state != State::waits && state != State::runs; }

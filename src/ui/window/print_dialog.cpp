@@ -6,7 +6,6 @@
 
 #include <QDesktopServices>
 #include <QDir>
-#include <QFile>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QFontMetrics>
@@ -14,7 +13,6 @@
 #include <QHeaderView>
 #include <QImageReader>
 #include <QJsonArray>
-#include <QJsonDocument>
 #include <QJsonObject>
 #include <QUrl>
 #include <QVBoxLayout>
@@ -24,9 +22,8 @@
 namespace ghost::ui {
 namespace {
 
-// Of a preview: the whole of it is in the folder.
-constexpr qint64 kMostTableBytes = 256 * 1024, kMostBookBytes = 4 * 1024 * 1024;
-constexpr int kMostRowsShown = 200, kMostPictures = 24, kMostChangesShown = 2;
+constexpr int kMostPictures = 24, kMostChangesShown = 2;
+constexpr qsizetype kMostLinesShown = 6;
 constexpr QSize kPreview(240, 135);
 
 QComboBox* choice(const QString& name, std::initializer_list<std::pair<const char*, const char*>> words,
@@ -37,36 +34,21 @@ QComboBox* choice(const QString& name, std::initializer_list<std::pair<const cha
     return box;
 }
 
-// RFC 4180.
-std::vector<QStringList> rows_of(const QString& csv) {
-    std::vector<QStringList> rows(1);
-    QString cell;
-    bool is_quoted = false;
-    for (qsizetype k = 0; k < csv.size() && rows.size() <= kMostRowsShown + 1; ++k) {
-        const QChar letter = csv[k];
-        if (letter == '"' && is_quoted && k + 1 < csv.size() && csv[k + 1] == '"') {
-            cell += letter;
-            ++k;
-        } else if (letter == '"') {
-            is_quoted = !is_quoted;
-        } else if (!is_quoted && letter == ',') {
-            rows.back() << cell;
-            cell.clear();
-        } else if (!is_quoted && letter == '\n') {
-            rows.back() << cell;
-            cell.clear();
-            rows.emplace_back();
-        } else if (letter != '\r') {
-            cell += letter;
-        }
-    }
-    rows.pop_back(); // what is cut
-    return rows;
+// Lines to read and to copy, of no more height than they need, up to six.
+QPlainTextEdit* lines_of(const QString& name, QWidget* parent) {
+    auto* lines = new QPlainTextEdit(parent);
+    lines->setReadOnly(true);
+    lines->setTabChangesFocus(true);
+    lines->setAccessibleName(name);
+    lines->hide();
+    return lines;
 }
 
-QByteArray beginning_of(const QString& path, qint64 most) {
-    QFile file(path);
-    return file.open(QIODevice::ReadOnly) ? file.read(most) : QByteArray();
+void put(QPlainTextEdit& lines, const QStringList& sentences) {
+    lines.setPlainText(sentences.join('\n'));
+    lines.setVisible(!sentences.isEmpty());
+    const int rows = static_cast<int>(std::clamp<qsizetype>(2 * sentences.size(), 2, kMostLinesShown));
+    lines.setFixedHeight(rows * lines.fontMetrics().lineSpacing() + 12);
 }
 
 // Number and name of an entry, and the first two of its changes.
@@ -256,6 +238,8 @@ QWidget* PrintDialog::make_preview() {
     auto* preview = new QWidget(this);
     auto* layout = new QVBoxLayout(preview);
     layout->setContentsMargins(0, 0, 0, 0);
+    unknown_ = lines_of(translated("Print", "What is left empty, and why"), preview);
+    remarks_ = lines_of(translated("Print", "Remarks"), preview);
     if (what_ == What::book) {
         pictures_ = new QListWidget(preview);
         pictures_->setAccessibleName(translated("Print", "Pictures of the book"));
@@ -264,7 +248,9 @@ QWidget* PrintDialog::make_preview() {
         pictures_->setMovement(QListView::Static);
         pictures_->setResizeMode(QListView::Adjust);
         pictures_->setSpacing(6);
-        layout->addWidget(pictures_);
+        layout->addWidget(unknown_);
+        layout->addWidget(pictures_, 1);
+        layout->addWidget(remarks_);
         return preview;
     }
     tables_ = new QComboBox(preview);
@@ -275,7 +261,9 @@ QWidget* PrintDialog::make_preview() {
     table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
     table_->verticalHeader()->hide();
     layout->addWidget(tables_);
+    layout->addWidget(unknown_);
     layout->addWidget(table_, 1);
+    layout->addWidget(remarks_);
     connect(tables_, &QComboBox::currentIndexChanged, this, &PrintDialog::show_table);
     return preview;
 }
@@ -357,7 +345,12 @@ void PrintDialog::follow() {
     if (runs && !job->doing.isEmpty()) words += ": " + said(job->doing);
     if (runs && !job->left.isEmpty()) words += translated("Jobs", ", %1 left").arg(job->left);
     if (job->state == Job::State::failed) words += ": " + said(job->last_said);
+    if (is_done && job->remark_count > 0)
+        words += translated("Print", ", with %n remark(s)", nullptr, job->remark_count);
     said_->setText(words);
+    QStringList remarks;
+    for (const QString& remark : job->remarks) remarks << said(remark);
+    put(*remarks_, remarks);
     if (is_done && !is_shown_) show_result();
 }
 
@@ -366,15 +359,25 @@ void PrintDialog::show_result() {
     if (what_ == What::book) return show_pictures();
     const QString before = tables_->currentText();
     tables_->clear();
-    for (const QFileInfo& file : QDir(made_).entryInfoList({"*.csv"}, QDir::Files, QDir::Name))
-        tables_->addItem(file.completeBaseName(), file.absoluteFilePath());
-    tables_->setCurrentText(before.isEmpty() ? "instruments" : before);
+    printed_ = printed_tables(made_);
+    for (const PrintedTable& table : printed_) tables_->addItem(table.title);
+    tables_->setCurrentIndex(std::max(tables_->findText(before), 0));
 }
 
 void PrintDialog::show_table() {
-    const QByteArray bytes = beginning_of(tables_->currentData().toString(), kMostTableBytes);
-    const std::vector<QStringList> rows = rows_of(QString::fromUtf8(bytes).remove(QChar(0xFEFF)));
     table_->clear();
+    table_->setRowCount(0);
+    table_->setColumnCount(0);
+    put(*unknown_, {});
+    const auto index = static_cast<std::size_t>(tables_->currentIndex());
+    if (index >= printed_.size()) return;
+    QStringList sentences = printed_[index].unknown;
+    const PrintedRows printed = printed_rows(printed_[index].file);
+    const std::vector<QStringList>& rows = printed.rows;
+    if (!printed.is_whole)
+        sentences << translated("Print", "Here are the first %1 rows; all are in the folder.")
+                         .arg(std::max<std::size_t>(rows.size(), 1) - 1);
+    put(*unknown_, sentences);
     if (rows.empty()) return;
     table_->setColumnCount(static_cast<int>(rows.front().size()));
     table_->setRowCount(static_cast<int>(rows.size()) - 1);
@@ -388,9 +391,14 @@ void PrintDialog::show_table() {
 
 void PrintDialog::show_pictures() {
     pictures_->clear();
-    const QByteArray bytes = beginning_of(QDir(made_).filePath("book.json"), kMostBookBytes);
-    const QJsonArray entries = QJsonDocument::fromJson(bytes).object()["entries"].toArray();
-    for (const QJsonValue& entry : entries) {
+    const PrintedBook book = printed_book(made_);
+    QStringList sentences = book.unknown;
+    if (book.entries.size() > kMostPictures)
+        sentences << translated("Print", "Here are the first %1 of %2 entries; all are in the folder.")
+                         .arg(kMostPictures)
+                         .arg(book.entries.size());
+    put(*unknown_, sentences);
+    for (const QJsonValue& entry : book.entries) {
         if (pictures_->count() == kMostPictures) break;
         const QString file = entry["pictures"].toArray().first().toObject()["file"].toString();
         QImageReader reader(QDir(made_).filePath(file));

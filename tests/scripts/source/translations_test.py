@@ -37,6 +37,7 @@ NO_TEXT = {
     "parts of an error that stand before it": {"' is no ", " and "},
     "words of scripts and of this program's commands": {"cue ", "tone ", "palette ", "fan ", " up", " down", "between", " slurm", "gel ", "motion machine", "motion commanded", "mover-address "},
     "options of this program's commands": {"--pdf", "--focus", "--plan"},
+    "marks of HTML": {"&lt;", "&gt;", "&quot;", "&amp;", "<section ", 'id="', "<table"},
     "sheets of paper, called so everywhere": {"Letter", "Tabloid", "Arch D", "ArchD"},
     "languages by their own names": {"English", "Deutsch"},
 }

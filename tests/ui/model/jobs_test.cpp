@@ -69,6 +69,17 @@ TEST(Jobs, progress_comes_while_it_runs_and_the_end_is_said) {
     EXPECT_TRUE(std::find(shop.shares.begin(), shop.shares.end(), 0.55) != shop.shares.end());
 }
 
+TEST(Jobs, warnings_and_errors_are_its_remarks) {
+    Workshop shop("i=0; while [ $i -lt 120 ]; do echo \"warning: a.gdtf: fault $i\"; i=$((i + 1)); done; "
+                  "echo 'error: no room'; echo 'wrote paper: 9 tables'\n");
+    shop.jobs->start("Paper", {"paper"});
+    shop.wait();
+    ASSERT_EQ(shop.ended.size(), 1u);
+    EXPECT_EQ(shop.ended[0].remark_count, 121);
+    EXPECT_EQ(shop.ended[0].remarks.size(), 100);
+    EXPECT_EQ(shop.ended[0].remarks.first(), "a.gdtf: fault 0");
+}
+
 TEST(Jobs, what_fails_says_its_last_words_and_the_next_one_begins) {
     Workshop shop("if [ $3 = bad ]; then echo 'error: no such camera'; exit 1; fi; echo fine > \"$4\"\n");
     const QString file = shop.folder.filePath("out");

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Paperwork and cue book from the window: where they go, what the command is given, what is seen of them.
+#include "book/paper_pages.h"
+#include "disk/files.h"
 #include "show/show.h"
 #include "support/test_window.h"
 #include "ui/language/language.h"
@@ -98,6 +100,45 @@ TEST(PrintDialog, blanks_in_a_value_stay) {
     const Result<QStringList> words = split_line(book.options());
     ASSERT_TRUE(words.ok());
     EXPECT_TRUE(words->contains("last  night/tour  a")) << book.options().toStdString();
+}
+
+TEST(PrintPreview, names_tables_as_the_page_does_and_says_what_they_leave_empty) {
+    QTemporaryDir place;
+    scene::Paper paper;
+    paper.style = {scene::Language::german, scene::Units::metric};
+    paper.tables = {{"patch", "Belegung & Freies", {{"Adresse"}}, {{{"1.1"}}}, {"'Spot <1>': \"leer\""}},
+                    {"instruments", "Geräteliste", {}, {}, {}}};
+    const std::filesystem::path folder = place.path().toStdString();
+    for (const scene::PaperTable& table : paper.tables)
+        ASSERT_TRUE(write_file_atomic(folder / (table.file + ".csv"), scene::csv_of(table)).ok());
+    ASSERT_TRUE(write_file_atomic(folder / "focus.csv", std::string_view("a\r\n")).ok());
+    ASSERT_TRUE(
+        write_file_atomic(folder / "index.html", scene::html_of(paper, scene::PaperSize::a4, {})).ok());
+    const std::vector<PrintedTable> tables = printed_tables(place.path());
+    ASSERT_EQ(tables.size(), 3u);
+    EXPECT_EQ(tables[0].title, "Belegung & Freies");
+    EXPECT_EQ(tables[0].unknown, QStringList{"'Spot <1>': \"leer\""});
+    EXPECT_EQ(tables[1].title, "Geräteliste");
+    EXPECT_TRUE(tables[1].unknown.isEmpty());
+    EXPECT_EQ(tables[2].title, "Focus charts");
+    const PrintedRows rows = printed_rows(tables[0].file);
+    ASSERT_EQ(rows.rows.size(), 2u);
+    EXPECT_EQ(rows.rows[1], QStringList{"1.1"});
+    EXPECT_TRUE(rows.is_whole);
+}
+
+TEST(PrintPreview, says_why_there_is_nothing_of_a_book) {
+    QTemporaryDir place;
+    const std::filesystem::path file = std::filesystem::path(place.path().toStdString()) / "book.json";
+    ASSERT_TRUE(
+        write_file_atomic(file, std::string_view(R"({"entries": [{"name": "One"}], "unknown": ["no cues"]})"))
+            .ok());
+    EXPECT_EQ(printed_book(place.path()).entries.size(), 1);
+    EXPECT_EQ(printed_book(place.path()).unknown, QStringList{"no cues"});
+    ASSERT_TRUE(write_file_atomic(file, std::string_view("{")).ok());
+    EXPECT_TRUE(printed_book(place.path()).unknown.first().contains("cannot be read"));
+    ASSERT_TRUE(write_file_atomic(file, "{\"entries\": []" + std::string(4 << 20, ' ') + "}").ok());
+    EXPECT_TRUE(printed_book(place.path()).unknown.first().contains("larger than what is shown"));
 }
 
 } // namespace

@@ -5,6 +5,7 @@
 
 #include "ui/actions/actions.h"
 #include "ui/model/app_model.h"
+#include "ui/window/private/print_preview.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -13,6 +14,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
+#include <QPlainTextEdit>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QTableWidget>
@@ -59,6 +61,8 @@ private:
     QComboBox* tables_ = nullptr;
     QTableWidget* table_ = nullptr;
     QListWidget* pictures_ = nullptr;
+    QPlainTextEdit *unknown_, *remarks_;
+    std::vector<PrintedTable> printed_; // in the order of tables_
 };
 
 } // namespace ghost::ui
