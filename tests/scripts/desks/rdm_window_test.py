@@ -15,7 +15,7 @@ import needs  # noqa: E402
 needs.packages("ola", "iproute2", "util-linux")
 import window as driver  # noqa: E402
 import numpy  # noqa: E402
-from ola import discover, namespaces, olad, wait  # noqa: E402
+from ola import discover, known, namespaces, olad, wait  # noqa: E402
 from PIL import Image  # noqa: E402
 
 FIXTURES = driver.SOURCE / "assets/fixtures"
@@ -142,6 +142,7 @@ def drive(window, desk, show):
     window.do("rdm off")
     window.until(lambda state: state["rdm"]["access"] == "off")
     print("ok: off again")
+    wait("the desk heard it without asking", lambda: not known(desk), 10)
 
 
 def main():
