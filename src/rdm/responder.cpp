@@ -147,6 +147,9 @@ void Responder::update(Device device) {
         sensor.lowest = std::min(known ? before.sensors[i].lowest : sensor.value, sensor.value);
         sensor.highest = std::max(known ? before.sensors[i].highest : sensor.value, sensor.value);
     }
+    if (!told_.empty() &&
+        (device_.personality != before.personality || slot_info(device_) != slot_info(before)))
+        told_.clear();
     if (device_.start_address != before.start_address) queue(Pid::dmx_start_address);
     if (device_.personality != before.personality) queue(Pid::dmx_personality);
     if (device_.label != before.label) queue(Pid::device_label);
@@ -167,13 +170,25 @@ Message Responder::respond(const Message& to, Answer answer) const {
     return response;
 }
 
-Message Responder::acknowledge(const Message& to, Data data) {
+// Whatever else a controller asks ends the answer that it was told a part of.
+std::size_t Responder::take_told(const Message& to, std::chrono::nanoseconds now) {
+    const auto found =
+        std::find_if(told_.begin(), told_.end(), [&](const Told& one) { return one.who == to.from; });
+    if (found == told_.end()) return 0;
+    const bool goes_on = to.command == Command::get && found->pid == to.pid && now - found->time < kPartsWait;
+    const std::size_t bytes = goes_on ? found->bytes : 0;
+    told_.erase(found);
+    return bytes;
+}
+
+Message Responder::acknowledge(const Message& to, Data data, std::chrono::nanoseconds now) {
+    const std::size_t told = std::min(take_told(to, now), data.size());
+    data.erase(data.begin(), data.begin() + static_cast<std::ptrdiff_t>(told));
     const bool goes_on = data.size() > kMaxDataBytes; // the next GET of it brings the next part (6.3.2)
-    rest_.clear();
     if (goes_on) {
-        rest_.assign(data.begin() + kMaxDataBytes, data.end());
-        rest_pid_ = to.pid;
         data.resize(kMaxDataBytes);
+        if (told_.size() == kMostInParts) told_.pop_front();
+        told_.push_back({to.from, to.pid, told + kMaxDataBytes, now});
     }
     Message response = respond(to, goes_on ? Answer::ack_overflow : Answer::ack);
     response.data = std::move(data);
@@ -186,7 +201,7 @@ Message Responder::refuse(const Message& to, Nack why) const {
     return response;
 }
 
-Responder::Reply Responder::discover(const Message& message) {
+Responder::Reply Responder::discover(const Message& message, std::chrono::nanoseconds now) {
     const auto pid = static_cast<Pid>(message.pid);
     if (pid == Pid::disc_unique_branch) {
         if (muted_ || message.data.size() != 12 || !message.to.is_broadcast()) return {};
@@ -203,20 +218,20 @@ Responder::Reply Responder::discover(const Message& message) {
     if (!message.data.empty()) return {}; // no response to a discovery message that is wrong (7.3)
     muted_ = pid == Pid::disc_mute;
     if (message.to.is_broadcast()) return {};
-    return {acknowledge(message, {0, 0}), {}}; // control field: no proxy, no sub-devices, no boot loader
+    return {acknowledge(message, {0, 0}, now), {}}; // control field: no proxy, no sub-devices, no boot loader
 }
 
-Responder::Reply Responder::take(const Message& message, const Wants& wants) {
+Responder::Reply Responder::take(const Message& message, const Wants& wants, std::chrono::nanoseconds now) {
     if (message.is_response || !message.to.means(device_.uid)) return {};
-    if (message.command == Command::discovery) return discover(message);
+    if (message.command == Command::discovery) return discover(message, now);
     if (message.to.is_broadcast()) {
-        if (message.command == Command::set) (void)handle(message, wants);
+        if (message.command == Command::set) (void)handle(message, wants, now);
         return {};
     }
-    return {handle(message, wants), {}};
+    return {handle(message, wants, now), {}};
 }
 
-Message Responder::handle(const Message& message, const Wants& wants) {
+Message Responder::handle(const Message& message, const Wants& wants, std::chrono::nanoseconds now) {
     const Parameter* const parameter = find(message.pid);
     if (!parameter) return refuse(message, Nack::unknown_pid);
     if (message.sub_device != 0) return refuse(message, Nack::sub_device_out_of_range);
@@ -230,17 +245,16 @@ Message Responder::handle(const Message& message, const Wants& wants) {
             echo = sensor_value(device_.sensors[message.data[0]], message.data[0]);
         else if (parameter->pid == Pid::sensor_value)
             echo = Data{0xFF, 0, 0, 0, 0, 0, 0, 0, 0};
-        return acknowledge(message, echo);
+        return acknowledge(message, echo, now);
     }
-    if (parameter->pid == Pid::queued_message) return queued(message);
-    if (!rest_.empty() && rest_pid_ == message.pid) return acknowledge(message, Data(rest_));
+    if (parameter->pid == Pid::queued_message) return queued(message, now);
     auto got = get(parameter->pid, message.data);
     if (const Nack* why = std::get_if<Nack>(&got)) return refuse(message, *why);
-    return acknowledge(message, std::move(std::get<Data>(got)));
+    return acknowledge(message, std::move(std::get<Data>(got)), now);
 }
 
 // E1.20 9.4: a message that waits, or, where none does, a status message without any status.
-Message Responder::queued(const Message& message) {
+Message Responder::queued(const Message& message, std::chrono::nanoseconds now) {
     const std::uint8_t kind = message.data[0];
     if (kind < kLastMessage || kind > kHighestStatus) return refuse(message, Nack::data_out_of_range);
     if (kind != kLastMessage || !last_) {
@@ -253,7 +267,7 @@ Message Responder::queued(const Message& message) {
     }
     Message as = message;
     as.pid = last_ ? last_->pid : static_cast<std::uint16_t>(Pid::status_messages);
-    return acknowledge(as, last_ ? last_->data : Data{});
+    return acknowledge(as, last_ ? last_->data : Data{}, now);
 }
 
 std::optional<Nack> Responder::set(const Message& message, const Wants& wants) {
@@ -304,6 +318,7 @@ std::optional<Nack> Responder::set(const Message& message, const Wants& wants) {
         break;
     case Change::What::personality:
         device_.personality = static_cast<std::uint8_t>(change.number);
+        told_.clear();
         break;
     case Change::What::label:
         device_.label = change.label;

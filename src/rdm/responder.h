@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Responder: one device on an RDM line: answers a controller's messages as ANSI E1.20-2010 asks (section 7
 // discovery, 9 to 11 parameters; E1.11 for addresses). It has no sub-devices. What somebody else changed is
-// queued (E1.20 9.4), at most kMostQueued messages, the oldest goes. One thread; no clock.
+// queued (E1.20 9.4), at most kMostQueued messages, the oldest goes. An answer that comes in parts goes on
+// for who asked for it alone. now: of any steady clock. One thread.
 
 #include "rdm/device.h"
 
+#include <chrono>
 #include <deque>
 #include <functional>
 #include <optional>
@@ -14,6 +16,10 @@
 namespace ghost::rdm {
 
 inline constexpr std::size_t kMostQueued = 16;
+// Controllers that may be in the middle of an answer of one device at once.
+inline constexpr std::size_t kMostInParts = 4;
+// Who waits for longer asks anew: controllers repeat what was lost after 2 s, and go on at once.
+inline constexpr std::chrono::milliseconds kPartsWait{1500};
 
 enum class Pid : std::uint16_t {
     disc_unique_branch = 0x0001,
@@ -56,28 +62,35 @@ public:
         std::optional<Message> message;
         std::vector<std::uint8_t> discovery;
     };
-    Reply take(const Message& message, const Wants& wants);
+    Reply take(const Message& message, const Wants& wants, std::chrono::nanoseconds now);
     bool muted() const { return muted_; }
 
 private:
     struct Parameter;
     static const Parameter* find(std::uint16_t pid);
-    Reply discover(const Message& message);
-    Message handle(const Message& message, const Wants& wants);
+    // How much of an answer that did not fit a controller has.
+    struct Told {
+        Uid who;
+        std::uint16_t pid = 0;
+        std::size_t bytes = 0;
+        std::chrono::nanoseconds time{0};
+    };
+    Reply discover(const Message& message, std::chrono::nanoseconds now);
+    Message handle(const Message& message, const Wants& wants, std::chrono::nanoseconds now);
     Message respond(const Message& to, Answer answer) const;
-    Message acknowledge(const Message& to, std::vector<std::uint8_t> data);
+    std::size_t take_told(const Message& to, std::chrono::nanoseconds now);
+    Message acknowledge(const Message& to, std::vector<std::uint8_t> data, std::chrono::nanoseconds now);
     Message refuse(const Message& to, Nack why) const;
-    Message queued(const Message& message);
+    Message queued(const Message& message, std::chrono::nanoseconds now);
     void queue(Pid pid);
     std::optional<Nack> set(const Message& message, const Wants& wants);
     std::variant<std::vector<std::uint8_t>, Nack> get(Pid pid, Bytes data) const;
 
     Device device_;
     bool muted_ = false;
-    std::deque<Message> queue_;      // GET responses
-    std::optional<Message> last_;    // of the queue, for "the last message again"
-    std::vector<std::uint8_t> rest_; // of an answer that did not fit
-    std::uint16_t rest_pid_ = 0;
+    std::deque<Message> queue_;   // GET responses
+    std::optional<Message> last_; // of the queue, for "the last message again"
+    std::deque<Told> told_;       // the oldest first, each controller once
 };
 
 } // namespace ghost::rdm

@@ -87,7 +87,7 @@ protected:
     Leave leave;
 
     Message answer(const Message& to) {
-        const Responder::Reply reply = responder.take(to, leave.wants());
+        const Responder::Reply reply = responder.take(to, leave.wants(), kNow);
         EXPECT_TRUE(reply.message.has_value());
         return reply.message.value_or(Message{});
     }
@@ -133,7 +133,7 @@ TEST_P(Conformance, get_to_everybody_is_not_answered) {
     const Row& row = GetParam();
     for (const Uid& to : {kAll, kAllOfOurs}) {
         const auto reply =
-            responder.take(ask(Command::get, row.pid, row.get.value_or(Data{}), to), leave.wants());
+            responder.take(ask(Command::get, row.pid, row.get.value_or(Data{}), to), leave.wants(), kNow);
         EXPECT_FALSE(reply.message.has_value());
     }
 }
@@ -166,7 +166,7 @@ TEST_P(Conformance, set_without_leave) {
     if (!row.set) return not_run("nothing sets it");
     if (row.pid == Pid::sensor_value) return not_run("a reset needs no leave");
     const Message before = answer(ask(Command::get, row.pid));
-    const auto reply = responder.take(ask(Command::set, row.pid, *row.set), nobody_may);
+    const auto reply = responder.take(ask(Command::set, row.pid, *row.set), nobody_may, kNow);
     ASSERT_TRUE(reply.message.has_value());
     EXPECT_EQ(reply.message->data, (Data{0, static_cast<std::uint8_t>(Nack::write_protect)}));
     EXPECT_EQ(answer(ask(Command::get, row.pid)).data, before.data);
@@ -191,8 +191,8 @@ TEST_P(Conformance, set_to_everybody_is_done_and_not_answered) {
     const Row& row = GetParam();
     if (!row.set) return not_run("nothing sets it");
     for (const Uid& to : {kAll, kAllOfOurs})
-        EXPECT_FALSE(
-            responder.take(ask(Command::set, row.pid, *row.set, to), leave.wants()).message.has_value());
+        EXPECT_FALSE(responder.take(ask(Command::set, row.pid, *row.set, to), leave.wants(), kNow)
+                         .message.has_value());
     EXPECT_EQ(leave.changes.size(), row.pid == Pid::sensor_value ? 0u : 2u);
 }
 
@@ -221,16 +221,18 @@ TEST(RdmConformance, unknown_parameters_and_messages_for_others) {
     Responder responder(head());
     Leave leave;
     for (const int pid : {0x0000, 0x0051, 0x0100, 0x7FE0, 0x8000, 0xFFFF}) {
-        const auto reply = responder.take(ask(Command::get, static_cast<Pid>(pid)), leave.wants());
+        const auto reply = responder.take(ask(Command::get, static_cast<Pid>(pid)), leave.wants(), kNow);
         ASSERT_TRUE(reply.message.has_value()) << pid;
         EXPECT_EQ(reply.message->data, (Data{0, static_cast<std::uint8_t>(Nack::unknown_pid)})) << pid;
     }
-    EXPECT_FALSE(responder.take(ask(Command::get, Pid::device_info, {}, {kMaker, 2}), leave.wants()).message);
     EXPECT_FALSE(
-        responder.take(ask(Command::get, Pid::device_info, {}, {0x7FF1, 0xFFFFFFFF}), leave.wants()).message);
+        responder.take(ask(Command::get, Pid::device_info, {}, {kMaker, 2}), leave.wants(), kNow).message);
+    EXPECT_FALSE(
+        responder.take(ask(Command::get, Pid::device_info, {}, {0x7FF1, 0xFFFFFFFF}), leave.wants(), kNow)
+            .message);
     Message response = ask(Command::get, Pid::device_info);
     response.is_response = true;
-    EXPECT_FALSE(responder.take(response, leave.wants()).message) << "a response is no command";
+    EXPECT_FALSE(responder.take(response, leave.wants(), kNow).message) << "a response is no command";
 }
 
 TEST(RdmConformance, without_slots_there_is_no_address) {
@@ -238,9 +240,9 @@ TEST(RdmConformance, without_slots_there_is_no_address) {
     device.personalities = {{"Nothing", 0}};
     Responder responder(device);
     Leave leave;
-    EXPECT_EQ(responder.take(ask(Command::get, Pid::dmx_start_address), leave.wants()).message->data,
+    EXPECT_EQ(responder.take(ask(Command::get, Pid::dmx_start_address), leave.wants(), kNow).message->data,
               (Data{0xFF, 0xFF}));
-    EXPECT_EQ(responder.take(ask(Command::set, Pid::dmx_start_address, {0, 1}), leave.wants())
+    EXPECT_EQ(responder.take(ask(Command::set, Pid::dmx_start_address, {0, 1}), leave.wants(), kNow)
                   .message->port_or_answer,
               static_cast<int>(Answer::nack));
 }
@@ -252,13 +254,14 @@ TEST(RdmConformance, a_personality_ends_within_the_universe) {
     device.start_address = 510;
     Responder responder(device);
     Leave leave;
-    const auto large = responder.take(ask(Command::set, Pid::dmx_personality, {2}), leave.wants());
+    const auto large = responder.take(ask(Command::set, Pid::dmx_personality, {2}), leave.wants(), kNow);
     EXPECT_EQ(large.message->port_or_answer, static_cast<int>(Answer::nack));
     EXPECT_EQ(large.message->data, (Data{0, static_cast<std::uint8_t>(Nack::data_out_of_range)}));
     device.start_address = 483;
     Responder there(device);
-    EXPECT_EQ(there.take(ask(Command::set, Pid::dmx_personality, {2}), leave.wants()).message->port_or_answer,
-              static_cast<int>(Answer::ack));
+    EXPECT_EQ(
+        there.take(ask(Command::set, Pid::dmx_personality, {2}), leave.wants(), kNow).message->port_or_answer,
+        static_cast<int>(Answer::ack));
 }
 
 TEST(RdmConformance, labels_end_at_32_bytes) {
@@ -267,15 +270,17 @@ TEST(RdmConformance, labels_end_at_32_bytes) {
     Responder responder(device);
     Leave leave;
     for (const Pid pid : {Pid::device_label, Pid::device_model_description})
-        EXPECT_EQ(responder.take(ask(Command::get, pid), leave.wants()).message->data.size(), 32u);
-    EXPECT_EQ(responder.take(ask(Command::set, Pid::device_label, Data(32, 'y')), leave.wants())
+        EXPECT_EQ(responder.take(ask(Command::get, pid), leave.wants(), kNow).message->data.size(), 32u);
+    EXPECT_EQ(responder.take(ask(Command::set, Pid::device_label, Data(32, 'y')), leave.wants(), kNow)
                   .message->port_or_answer,
               0);
-    EXPECT_EQ(responder.take(ask(Command::set, Pid::device_label), leave.wants()).message->port_or_answer, 0)
+    EXPECT_EQ(
+        responder.take(ask(Command::set, Pid::device_label), leave.wants(), kNow).message->port_or_answer, 0)
         << "an empty one is one";
     device.label = std::string(31, 'x') + "\xC3\xBC"; // a letter of two bytes
     Responder cut(device);
-    EXPECT_EQ(cut.take(ask(Command::get, Pid::device_label), leave.wants()).message->data, Data(31, 'x'));
+    EXPECT_EQ(cut.take(ask(Command::get, Pid::device_label), leave.wants(), kNow).message->data,
+              Data(31, 'x'));
 }
 
 // More than one message holds: the rest comes with the next GET (6.3.2).
@@ -287,7 +292,7 @@ TEST(RdmConformance, an_answer_that_does_not_fit_comes_in_parts) {
     Data all;
     int parts = 0;
     for (bool more = true; more && parts < 10; ++parts) {
-        const auto reply = responder.take(ask(Command::get, Pid::slot_info), leave.wants());
+        const auto reply = responder.take(ask(Command::get, Pid::slot_info), leave.wants(), kNow);
         ASSERT_TRUE(reply.message.has_value());
         all.insert(all.end(), reply.message->data.begin(), reply.message->data.end());
         more = reply.message->port_or_answer == static_cast<int>(Answer::ack_overflow);
@@ -295,16 +300,89 @@ TEST(RdmConformance, an_answer_that_does_not_fit_comes_in_parts) {
     EXPECT_EQ(parts, 3);
     ASSERT_EQ(all.size(), 600u);
     EXPECT_EQ((Data{all.end() - 5, all.end()}), (Data{0, 119, 0, 0, 1}));
-    EXPECT_EQ(responder.take(ask(Command::get, Pid::slot_info), leave.wants()).message->port_or_answer,
+    EXPECT_EQ(responder.take(ask(Command::get, Pid::slot_info), leave.wants(), kNow).message->port_or_answer,
               static_cast<int>(Answer::ack_overflow))
         << "and begins anew";
+}
+
+// Two controllers and a device whose slots need three messages.
+struct LongAnswer {
+    Device device = head();
+    std::optional<Responder> responder;
+    std::chrono::nanoseconds now = kNow;
+    Leave leave;
+
+    LongAnswer() {
+        device.slots.assign(120, {0x0001, false, "Dimmer"});
+        responder.emplace(device);
+    }
+    Message get(std::uint32_t controller, Pid pid = Pid::slot_info) {
+        Message message = ask(Command::get, pid);
+        message.from.device = controller;
+        return responder->take(message, leave.wants(), now).message.value_or(Message{});
+    }
+    // The first slot that the answer tells.
+    int slot(std::uint32_t controller) {
+        const Data data = get(controller).data;
+        return data.size() > 1 ? data[0] << 8 | data[1] : -1;
+    }
+};
+
+TEST(RdmConformance, the_parts_of_an_answer_are_each_controllers_own) {
+    LongAnswer of;
+    const Message first = of.get(1), other = of.get(2);
+    EXPECT_EQ(other.port_or_answer, static_cast<int>(Answer::ack_overflow));
+    EXPECT_EQ(other.data, first.data) << "from the beginning";
+    Data one = first.data, two = other.data;
+    for (int part = 0; part < 2; ++part)
+        for (const std::uint32_t controller : {1u, 2u}) {
+            const Data more = of.get(controller).data;
+            Data& all = controller == 1 ? one : two;
+            all.insert(all.end(), more.begin(), more.end());
+        }
+    EXPECT_EQ(one.size(), 600u);
+    EXPECT_EQ(two, one);
+}
+
+TEST(RdmConformance, who_repeats_what_was_lost_gets_it_from_the_beginning) {
+    LongAnswer of;
+    EXPECT_EQ(of.slot(1), 0);
+    of.now += kPartsWait - std::chrono::milliseconds(1);
+    EXPECT_NE(of.slot(1), 0);
+    of.now += kPartsWait;
+    EXPECT_EQ(of.slot(1), 0);
+    (void)of.get(1, Pid::device_label);
+    EXPECT_EQ(of.slot(1), 0) << "another question ended it";
+}
+
+TEST(RdmConformance, of_another_mode_no_rest_is_told) {
+    LongAnswer of;
+    EXPECT_EQ(of.slot(1), 0);
+    of.responder->update(of.device);
+    EXPECT_NE(of.slot(1), 0) << "it is as it was";
+    EXPECT_EQ(of.get(1).port_or_answer, static_cast<int>(Answer::ack)) << "the last part";
+    EXPECT_EQ(of.slot(1), 0);
+    of.device.slots.resize(100);
+    of.responder->update(of.device);
+    EXPECT_EQ(of.slot(1), 0);
+    (void)of.responder->take(ask(Command::set, Pid::dmx_personality, {2}), of.leave.wants(), of.now);
+    EXPECT_EQ(of.slot(1), 0);
+}
+
+TEST(RdmConformance, so_many_controllers_read_in_parts_and_no_more) {
+    LongAnswer of;
+    for (std::uint32_t controller = 0; controller <= kMostInParts; ++controller)
+        EXPECT_EQ(of.slot(controller), 0);
+    for (std::uint32_t controller = 1; controller <= kMostInParts; ++controller)
+        EXPECT_NE(of.slot(controller), 0) << controller;
+    EXPECT_EQ(of.slot(0), 0) << "the oldest gave way";
 }
 
 TEST(RdmConformance, what_somebody_else_changed_is_queued) {
     Responder responder(head());
     Leave leave;
     const auto get = [&](std::uint8_t kind) {
-        return *responder.take(ask(Command::get, Pid::queued_message, {kind}), leave.wants()).message;
+        return *responder.take(ask(Command::get, Pid::queued_message, {kind}), leave.wants(), kNow).message;
     };
     Device changed = head();
     changed.start_address = 101;
@@ -312,7 +390,7 @@ TEST(RdmConformance, what_somebody_else_changed_is_queued) {
     changed.start_address = 102;
     changed.label = "Moved";
     responder.update(changed);
-    EXPECT_EQ(responder.take(ask(Command::get, Pid::device_info), leave.wants()).message->queued, 2);
+    EXPECT_EQ(responder.take(ask(Command::get, Pid::device_info), leave.wants(), kNow).message->queued, 2);
     const Message first = get(4), again = get(1), second = get(4), last = get(4);
     EXPECT_EQ(first.pid, static_cast<int>(Pid::dmx_start_address));
     EXPECT_EQ(first.data, (Data{0, 102})) << "the newest of it, once";
@@ -322,7 +400,7 @@ TEST(RdmConformance, what_somebody_else_changed_is_queued) {
     EXPECT_EQ(last.pid, static_cast<int>(Pid::status_messages));
     EXPECT_TRUE(last.data.empty());
     // Who sets it is not told.
-    (void)responder.take(ask(Command::set, Pid::dmx_start_address, {0, 7}), leave.wants());
+    (void)responder.take(ask(Command::set, Pid::dmx_start_address, {0, 7}), leave.wants(), kNow);
     changed.start_address = 7;
     responder.update(changed);
     EXPECT_EQ(get(4).pid, static_cast<int>(Pid::status_messages));
@@ -337,10 +415,10 @@ TEST(RdmConformance, sensors_remember_their_extremes_until_they_are_reset) {
         responder.update(device);
     }
     const auto value = [&] {
-        return responder.take(ask(Command::get, Pid::sensor_value, {0}), leave.wants()).message->data;
+        return responder.take(ask(Command::get, Pid::sensor_value, {0}), leave.wants(), kNow).message->data;
     };
     EXPECT_EQ(value(), (Data{0, 0, 100, 0xFE, 0x0C, 3, 0x84, 0, 0}));
-    EXPECT_EQ(responder.take(ask(Command::set, Pid::sensor_value, {0xFF}), leave.wants()).message->data,
+    EXPECT_EQ(responder.take(ask(Command::set, Pid::sensor_value, {0xFF}), leave.wants(), kNow).message->data,
               (Data{0xFF, 0, 0, 0, 0, 0, 0, 0, 0}));
     EXPECT_EQ(value(), (Data{0, 0, 100, 0, 100, 0, 100, 0, 0}));
 }
@@ -358,20 +436,23 @@ TEST(RdmConformance, mute_and_unmute) {
     Leave leave;
     const Message branch =
         ask(Command::discovery, Pid::disc_unique_branch, between({0, 0}, {0xFFFF, 0xFFFFFFFE}), kAll);
-    EXPECT_EQ(parse_discovery_answer(responder.take(branch, leave.wants()).discovery), (Uid{kMaker, 1}));
+    EXPECT_EQ(parse_discovery_answer(responder.take(branch, leave.wants(), kNow).discovery),
+              (Uid{kMaker, 1}));
     const Message mute = ask(Command::discovery, Pid::disc_mute);
-    const auto muted = responder.take(mute, leave.wants());
+    const auto muted = responder.take(mute, leave.wants(), kNow);
     ASSERT_TRUE(muted.message.has_value());
     EXPECT_EQ(muted.message->data, (Data{0, 0})) << "control field: no proxy, no sub-devices";
     EXPECT_EQ(muted.message->command, Command::discovery);
-    EXPECT_TRUE(responder.take(branch, leave.wants()).discovery.empty());
-    EXPECT_FALSE(responder.take(ask(Command::discovery, Pid::disc_un_mute, {}, kAll), leave.wants()).message);
+    EXPECT_TRUE(responder.take(branch, leave.wants(), kNow).discovery.empty());
+    EXPECT_FALSE(
+        responder.take(ask(Command::discovery, Pid::disc_un_mute, {}, kAll), leave.wants(), kNow).message);
     EXPECT_FALSE(responder.muted());
-    EXPECT_FALSE(responder.take(ask(Command::discovery, Pid::disc_mute, {}, kAll), leave.wants()).message);
+    EXPECT_FALSE(
+        responder.take(ask(Command::discovery, Pid::disc_mute, {}, kAll), leave.wants(), kNow).message);
     EXPECT_TRUE(responder.muted()) << "of everybody, too, but not answered";
     EXPECT_TRUE(
-        responder.take(ask(Command::discovery, Pid::disc_un_mute), leave.wants()).message.has_value());
-    EXPECT_FALSE(responder.take(ask(Command::discovery, Pid::disc_mute, {1}), leave.wants()).message)
+        responder.take(ask(Command::discovery, Pid::disc_un_mute), leave.wants(), kNow).message.has_value());
+    EXPECT_FALSE(responder.take(ask(Command::discovery, Pid::disc_mute, {1}), leave.wants(), kNow).message)
         << "wrong length";
     EXPECT_FALSE(responder.muted());
 }
@@ -381,7 +462,7 @@ TEST(RdmConformance, discovery_answers_to_its_branch_only) {
     Leave leave;
     const auto answers = [&](const Uid& low, const Uid& high, const Uid& to = kAll) {
         Message message = ask(Command::discovery, Pid::disc_unique_branch, between(low, high), to);
-        return !responder.take(message, leave.wants()).discovery.empty();
+        return !responder.take(message, leave.wants(), kNow).discovery.empty();
     };
     EXPECT_TRUE(answers({kMaker, 5}, {kMaker, 5}));
     EXPECT_TRUE(answers({kMaker, 0}, {kMaker, 5}));
@@ -391,7 +472,7 @@ TEST(RdmConformance, discovery_answers_to_its_branch_only) {
     EXPECT_FALSE(answers({kMaker, 0}, {kMaker, 9}, {kMaker, 5})) << "of one device only";
     EXPECT_TRUE(answers({kMaker, 0}, {kMaker, 9}, kAllOfOurs));
     Message cut = ask(Command::discovery, Pid::disc_unique_branch, Data(11), kAll);
-    EXPECT_TRUE(responder.take(cut, leave.wants()).discovery.empty());
+    EXPECT_TRUE(responder.take(cut, leave.wants(), kNow).discovery.empty());
 }
 
 // A line of many: what answers at once is one or, as the wires have it.
@@ -409,7 +490,7 @@ TEST(RdmConformance, a_controller_finds_all_of_400_by_halves) {
     const auto send = [&](const Message& message) {
         Data wire;
         for (Responder& one : line) {
-            const Data answer = one.take(message, leave.wants()).discovery;
+            const Data answer = one.take(message, leave.wants(), kNow).discovery;
             wire.resize(std::max(wire.size(), answer.size()));
             for (std::size_t i = 0; i < answer.size(); ++i) wire[i] |= answer[i];
         }

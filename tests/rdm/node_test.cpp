@@ -10,8 +10,12 @@ namespace {
 
 using Data = std::vector<std::uint8_t>;
 
-Port port_of(std::uint16_t port_address) {
-    return {static_cast<std::uint8_t>(port_address), 2};
+constexpr Node::Sender kDesk{0x0A000001, kNow};
+constexpr std::uint16_t kAnnounced = 0x12; // ports
+
+std::optional<Port> port_of(std::uint16_t port_address) {
+    if (port_address >= kAnnounced) return std::nullopt;
+    return Port{static_cast<std::uint8_t>(port_address), 2};
 }
 
 std::vector<Device> heads(std::uint32_t count, std::uint16_t universe = 1) {
@@ -23,13 +27,25 @@ std::vector<Device> heads(std::uint32_t count, std::uint16_t universe = 1) {
     return result;
 }
 
+TodData table_of(const Node::Packets& packets) {
+    const ArtPacket parsed = packets.empty() ? ArtPacket() : parse_artnet(packets[0]);
+    const TodData* const table = std::get_if<TodData>(&parsed);
+    return table ? *table : TodData{};
+}
+
+// The table that goes back; nothing: no packet does.
+std::optional<TodData> ask_table(Node& node, std::uint16_t port_address, const Node::Sender& from = kDesk) {
+    const Node::Packets packets = node.take(build_tod_request({{port_address}}), from, nobody_may, port_of);
+    return packets.empty() ? std::nullopt : std::optional(table_of(packets));
+}
+
 TEST(RdmNode, the_table_of_a_port_in_as_many_packets_as_it_needs) {
     Node node(1);
-    EXPECT_TRUE(node.update(heads(450, 18)));
+    node.update(heads(450, 18));
     Leave leave;
     const Data request = build_tod_request({{0x0011, 0x0012}});
     EXPECT_TRUE(is_rdm(request));
-    const Node::Packets packets = node.take(request, leave.wants(), port_of);
+    const Node::Packets packets = node.take(request, kDesk, leave.wants(), port_of);
     ASSERT_EQ(packets.size(), 3u);
     std::set<Uid> uids;
     for (std::size_t i = 0; i < packets.size(); ++i) {
@@ -45,19 +61,20 @@ TEST(RdmNode, the_table_of_a_port_in_as_many_packets_as_it_needs) {
         uids.insert(data.uids.begin(), data.uids.end());
     }
     EXPECT_EQ(uids.size(), 450u);
-    EXPECT_TRUE(node.take(build_tod_request({{0x0013}}), leave.wants(), port_of).empty()) << "not ours";
+    EXPECT_TRUE(node.take(build_tod_request({{0x0013}}), kDesk, leave.wants(), port_of).empty())
+        << "not ours";
 }
 
-// Art-Net 4: 24 bytes before the addresses; a table request of one port, byte by byte.
 TEST(RdmNode, answers_for_so_many_and_no_more) {
     Node node(1);
     std::vector<Device> many = heads(kMaxDevices + 1);
     const Uid last_of_all = many.back().uid, last = many[kMaxDevices - 1].uid;
-    EXPECT_TRUE(node.update(std::move(many)));
+    node.update(std::move(many));
     EXPECT_NE(node.find(last), nullptr);
     EXPECT_EQ(node.find(last_of_all), nullptr);
 }
 
+// Art-Net 4: 24 bytes before the addresses; a table request of one port, byte by byte.
 TEST(RdmNode, packets_as_art_net_has_them) {
     const Data request = build_tod_request({{0x0203}});
     EXPECT_EQ(request, (Data{'A', 'r', 't', '-', 'N', 'e', 't', 0, 0x00, 0x80, 0, 14, 0,
@@ -81,7 +98,7 @@ TEST(RdmNode, messages_reach_their_device_and_answers_come_back) {
     node.update(heads(3));
     Leave leave;
     const auto answer = [&](const Message& message, std::uint16_t port = 0) {
-        return node.take(build_art_rdm(port, message), leave.wants(), port_of);
+        return node.take(build_art_rdm(port, message), kDesk, leave.wants(), port_of);
     };
     const Node::Packets packets = answer(ask(Command::get, Pid::device_label, {}, {kMaker, 2}));
     ASSERT_EQ(packets.size(), 1u);
@@ -95,27 +112,78 @@ TEST(RdmNode, messages_reach_their_device_and_answers_come_back) {
     EXPECT_EQ(leave.changes.size(), 3u) << "each of them";
     Data broken = build_art_rdm(0, ask(Command::get, Pid::device_label));
     broken.back() ^= 1;
-    EXPECT_TRUE(node.take(broken, leave.wants(), port_of).empty());
+    EXPECT_TRUE(node.take(broken, kDesk, leave.wants(), port_of).empty());
     EXPECT_EQ(node.faults(), 1u);
     for (std::size_t size = 0; size < broken.size(); ++size)
-        EXPECT_TRUE(node.take(Bytes(broken).first(size), leave.wants(), port_of).empty()) << size;
+        EXPECT_TRUE(node.take(Bytes(broken).first(size), kDesk, leave.wants(), port_of).empty()) << size;
 }
 
 TEST(RdmNode, devices_that_come_go_and_move) {
     Node node(1);
-    EXPECT_TRUE(node.update(heads(3)));
-    EXPECT_FALSE(node.update(heads(3)));
+    node.update(heads(3));
+    EXPECT_TRUE(ask_table(node, 0).has_value());
+    node.update(heads(3));
+    EXPECT_FALSE(node.news(kNow, port_of)) << "as it was";
     std::vector<Device> two = heads(2);
     two[1].universe = 7;
-    EXPECT_TRUE(node.update(two));
+    node.update(two);
     EXPECT_EQ(node.devices(), 2u);
     EXPECT_EQ(node.find({kMaker, 3}), nullptr);
     two[0].universe = 0;
-    EXPECT_TRUE(node.update(two));
+    node.update(two);
     Leave leave;
-    const Node::Packets first = node.take(build_tod_request({{0, 6}}), leave.wants(), port_of);
-    ASSERT_EQ(first.size(), 1u) << "what is not patched is at no port";
-    EXPECT_EQ(std::get<TodData>(parse_artnet(first[0])).port_address, 6);
+    const Node::Packets first = node.take(build_tod_request({{0, 6}}), kDesk, leave.wants(), port_of);
+    ASSERT_EQ(first.size(), 2u);
+    EXPECT_EQ(table_of(first).total, 0) << "what is not patched is at no port";
+    EXPECT_EQ(std::get<TodData>(parse_artnet(first[1])).port_address, 6);
+    EXPECT_EQ(std::get<TodData>(parse_artnet(first[1])).total, 1);
+}
+
+TEST(RdmNode, of_a_port_without_devices_says_that_nobody_is_there) {
+    Node node(1);
+    const std::optional<TodData> table = ask_table(node, 3);
+    ASSERT_TRUE(table);
+    EXPECT_EQ(table->port_address, 3);
+    EXPECT_EQ(table->total, 0);
+    EXPECT_TRUE(table->uids.empty());
+    EXPECT_EQ(table->port.bind_index, 3) << "as the poll reply that names the port";
+    const Data flush{'A', 'r', 't', '-', 'N', 'e', 't', 0, 0x00, 0x82, 0, 14,
+                     0,   0,   0,   0,   0,   0,   0,   0, 0,    0,    1, 3};
+    const Node::Packets flushed = node.take(flush, kDesk, nobody_may, port_of);
+    ASSERT_EQ(flushed.size(), 1u);
+    EXPECT_EQ(table_of(flushed).port_address, 3);
+    EXPECT_FALSE(ask_table(node, kAnnounced)) << "not ours";
+    node.update(heads(1, kAnnounced + 1));
+    EXPECT_EQ(ask_table(node, kAnnounced)->total, 1);
+    node.update({});
+    EXPECT_EQ(ask_table(node, kAnnounced)->total, 0) << "it had one";
+}
+
+TEST(RdmNode, who_asked_for_a_table_gets_it_when_it_changes) {
+    Node node(1);
+    node.update(heads(450));
+    EXPECT_EQ(ask_table(node, 0)->total, 450);
+    const Node::Sender other{0x0A000002, kNow};
+    (void)ask_table(node, 5, other);
+    EXPECT_FALSE(node.news(kNow, port_of));
+    std::vector<Device> moved = heads(450);
+    moved[0].universe = 6;
+    node.update(moved);
+    const auto first = node.news(kNow, port_of), second = node.news(kNow, port_of);
+    ASSERT_TRUE(first && second);
+    EXPECT_EQ(first->to_ipv4, kDesk.ipv4);
+    EXPECT_EQ(first->packets.size(), 3u) << "the whole table";
+    EXPECT_EQ(table_of(first->packets).total, 449);
+    EXPECT_EQ(second->to_ipv4, other.ipv4);
+    EXPECT_EQ(table_of(second->packets).port_address, 5);
+    EXPECT_EQ(table_of(second->packets).total, 1);
+    EXPECT_TRUE(node.heard(moved[0].uid).is_found);
+    EXPECT_FALSE(node.news(kNow, port_of)) << "once";
+    node.update({});
+    const auto last = node.news(kNow + kTableRest, port_of);
+    ASSERT_TRUE(last);
+    EXPECT_EQ(last->packets.size(), 1u);
+    EXPECT_EQ(table_of(last->packets).total, 0) << "the last one left";
 }
 
 } // namespace

@@ -11,6 +11,8 @@ namespace ghost::rdm {
 inline const Uid kController{0x7A70, 0x00000001}; // OLA's maker number
 inline const Uid kAll{0xFFFF, 0xFFFFFFFF}, kAllOfOurs{kMaker, 0xFFFFFFFF};
 
+inline constexpr std::chrono::nanoseconds kNow{1'000'000'000};
+
 inline Device head(std::uint32_t number = 1) {
     Device device;
     device.uid = {kMaker, number};

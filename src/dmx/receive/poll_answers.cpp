@@ -42,13 +42,13 @@ void PollAnswers::announce(const std::vector<std::uint16_t>& port_addresses) {
     for (std::size_t i = 0; i < runs_.size(); ++i) runs_[i].next = waited[i] ? 0 : replies_.size();
 }
 
-PollAnswers::Place PollAnswers::place_of(std::uint16_t port_address) const {
+std::optional<PollAnswers::Place> PollAnswers::place_of(std::uint16_t port_address) const {
     for (std::size_t i = 0; i < replies_.size(); ++i)
         for (std::size_t port = 0; port < replies_[i].size(); ++port)
             if (replies_[i][port] == port_address)
-                return {static_cast<std::uint8_t>(std::min(i + 1, kMaxBindIndex)),
-                        static_cast<std::uint8_t>(port + 1)};
-    return {};
+                return Place{static_cast<std::uint8_t>(std::min(i + 1, kMaxBindIndex)),
+                             static_cast<std::uint8_t>(port + 1)};
+    return std::nullopt;
 }
 
 void PollAnswers::hello(std::uint32_t broadcast, std::uint32_t our_ipv4, std::chrono::nanoseconds now) {

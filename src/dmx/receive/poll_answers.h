@@ -43,12 +43,12 @@ public:
         bool asked = false;               // else the hello at start
     };
 
-    // Where the replies name a Port-Address: by which bind index, as which of its ports (1 to 4); both 1 of
+    // Where the replies name a Port-Address: by which bind index, as which of its ports (1 to 4); nothing of
     // one that they do not name.
     struct Place {
         std::uint8_t bind_index = 1, port = 1;
     };
-    Place place_of(std::uint16_t port_address) const;
+    std::optional<Place> place_of(std::uint16_t port_address) const;
 
     // A node says hello when it comes up, so that controllers need not wait for their next poll.
     void hello(std::uint32_t broadcast, std::uint32_t our_ipv4, std::chrono::nanoseconds now);

@@ -122,6 +122,8 @@ struct Receiver::Loop {
     void announce(nanoseconds now);
     void answer(const PollPacket& poll, const Datagram& datagram);
     void answer_others(const Datagram& datagram);
+    void begin_answers(nanoseconds now);
+    void send_unasked(nanoseconds now);
     void send_replies(nanoseconds now);
     void publish(nanoseconds now);
     void publish_statistics(nanoseconds now);
@@ -174,14 +176,31 @@ void Receiver::Loop::answer_others(const Datagram& datagram) {
     if (!options.answer_artnet || !listener->artnet_out() ||
         !listener->is_local_network(datagram.from.ipv4()))
         return;
-    if (datagram.time >= answers_since + kAnswersEvery) {
-        answers_since = datagram.time;
-        answers_sent = 0;
-    }
+    begin_answers(datagram.time);
     const auto place_of = [this](std::uint16_t port_address) { return answers.place_of(port_address); };
-    for (const std::vector<std::uint8_t>& packet : options.answer_artnet(datagram.bytes, place_of)) {
+    for (const std::vector<std::uint8_t>& packet : options.answer_artnet(datagram, place_of)) {
         if (answers_sent++ >= kMaxAnswers) return;
         (void)listener->artnet_out()->send(packet, datagram.from, options.artnet_port);
+    }
+}
+
+void Receiver::Loop::begin_answers(nanoseconds now) {
+    if (now < answers_since + kAnswersEvery) return;
+    answers_since = now;
+    answers_sent = 0;
+}
+
+// Half of what may be sent is left to who asks, and the longest table has room in it.
+void Receiver::Loop::send_unasked(nanoseconds now) {
+    if (!options.unasked || !listener->artnet_out()) return;
+    begin_answers(now);
+    const auto place_of = [this](std::uint16_t port_address) { return answers.place_of(port_address); };
+    while (answers_sent < kMaxAnswers / 2) {
+        const auto next = options.unasked(now, place_of);
+        if (!next) return;
+        answers_sent += next->packets.size();
+        for (const std::vector<std::uint8_t>& packet : next->packets)
+            (void)listener->artnet_out()->send(packet, next->to_ipv4, options.artnet_port);
     }
 }
 
@@ -396,6 +415,7 @@ void Receiver::Loop::run() {
         if (now >= next_tick) {
             intake.tick(now);
             owner.sampling_.store(intake.merge().sampling(), std::memory_order_relaxed);
+            send_unasked(now);
             next_tick = now + kTickEvery;
         }
         const bool due = now >= published + (drained ? kPublishEvery : kPublishAtLast) && !catch_up.reading();

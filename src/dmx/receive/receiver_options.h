@@ -51,10 +51,17 @@ struct ReceiverOptions {
     std::function<void()> on_change;
     // Gets every Art-Net packet of a local network that is none of ours (packet.h), RDM for one; what it
     // returns goes back to who sent it, at most kMaxAnswers in kAnswersEvery. On the receiver's thread, and
-    // must be quick. place_of: of a Port-Address in our ArtPollReplies.
-    using PlaceOf = std::function<PollAnswers::Place(std::uint16_t port_address)>;
-    std::function<std::vector<std::vector<std::uint8_t>>(Bytes packet, const PlaceOf& place_of)>
-        answer_artnet;
+    // must be quick. place_of: of a Port-Address in our ArtPollReplies, if they name it.
+    using Packets = std::vector<std::vector<std::uint8_t>>;
+    using PlaceOf = std::function<std::optional<PollAnswers::Place>(std::uint16_t port_address)>;
+    std::function<Packets(const Datagram& datagram, const PlaceOf& place_of)> answer_artnet;
+    // Asked several times a second for what goes out though nobody asks just now, until there is nothing.
+    // Those packets count among kMaxAnswers. On the receiver's thread, and must be quick.
+    struct Unasked {
+        std::uint32_t to_ipv4 = 0;
+        Packets packets;
+    };
+    std::function<std::optional<Unasked>(std::chrono::nanoseconds now, const PlaceOf& place_of)> unasked;
     // Whether ArtPollReply says now that our ports know RDM; on the receiver's thread.
     std::function<bool()> knows_rdm;
     // Gets every time code, of the MIDI port where one is named, else of Art-Net; on the receiver's thread,

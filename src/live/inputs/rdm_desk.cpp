@@ -15,18 +15,32 @@ bool is_plain(const std::string& text) {
     return std::all_of(text.begin(), text.end(), [](char letter) { return letter >= 0x20 && letter < 0x7F; });
 }
 
+rdm::Node::PortOf port_of(const dmx::ReceiverOptions::PlaceOf& place_of) {
+    return [&place_of](std::uint16_t port_address) -> std::optional<rdm::Port> {
+        const std::optional<dmx::PollAnswers::Place> place = place_of(port_address);
+        if (!place) return std::nullopt;
+        return rdm::Port{place->bind_index, place->port};
+    };
+}
+
 } // namespace
 
 void RdmDesk::listen(dmx::ReceiverOptions& options) {
-    options.answer_artnet = [this](Bytes packet, const dmx::ReceiverOptions::PlaceOf& place_of) {
+    options.answer_artnet = [this](const dmx::Datagram& datagram,
+                                   const dmx::ReceiverOptions::PlaceOf& place_of) {
         const std::lock_guard lock(mutex_);
         if (access_ == ui::RdmAccess::off) return rdm::Node::Packets{};
         return node_.take(
-            packet, [this](const rdm::Change& change) { return want(change); },
-            [&](std::uint16_t port_address) {
-                const auto [bind_index, port] = place_of(port_address);
-                return rdm::Port{bind_index, port};
-            });
+            datagram.bytes, {datagram.from.ipv4(), datagram.time},
+            [this](const rdm::Change& change) { return want(change); }, port_of(place_of));
+    };
+    options.unasked = [this](std::chrono::nanoseconds now, const dmx::ReceiverOptions::PlaceOf& place_of)
+        -> std::optional<dmx::ReceiverOptions::Unasked> {
+        const std::unique_lock lock(mutex_, std::try_to_lock);
+        if (!lock) return std::nullopt; // a large show is being told: levels do not wait for that
+        std::optional<rdm::Node::News> news = node_.news(now, port_of(place_of));
+        if (!news) return std::nullopt;
+        return dmx::ReceiverOptions::Unasked{news->to_ipv4, std::move(news->packets)};
     };
     options.knows_rdm = [this] {
         const std::lock_guard lock(mutex_);
@@ -38,6 +52,7 @@ void RdmDesk::set_access(ui::RdmAccess access) {
     const std::lock_guard lock(mutex_);
     access_ = access;
     if (access != ui::RdmAccess::off) return;
+    node_.update({}); // who asked before is told that nobody is there
     identified_.clear();
     drop_wanted();
 }

@@ -29,7 +29,8 @@ public:
 
     // To be called before the receiver starts; this must outlive it.
     void listen(dmx::ReceiverOptions& options);
-    // Off: nothing identifies itself any more, and nothing is wanted.
+    // Off: desks hear that nobody is there, nothing identifies itself any more, and nothing is wanted. After
+    // it update() says anew who is there.
     void set_access(ui::RdmAccess access);
 
     // As the show and the rig are now. answered: what was wanted with that number or a lower one is in the

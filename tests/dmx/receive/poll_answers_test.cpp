@@ -45,8 +45,8 @@ TEST(PollAnswers, one_reply_per_port_paced) {
     EXPECT_EQ(early[3].ports, std::vector<std::uint16_t>{3});
     EXPECT_EQ(early[3].bind_index, 4);
     EXPECT_EQ(late.back().bind_index, 255);
-    EXPECT_EQ(answers.place_of(3).bind_index, 4);
-    EXPECT_EQ(answers.place_of(3).port, 1);
+    EXPECT_EQ(answers.place_of(3)->bind_index, 4);
+    EXPECT_EQ(answers.place_of(3)->port, 1);
 }
 
 // A desk tells the replies of one address apart by the bind index.
@@ -58,8 +58,8 @@ TEST(PollAnswers, more_ports_than_bind_indices_share_replies) {
         for (const auto& reply : run(answers, 0s, 2s)) {
             EXPECT_TRUE(indices.insert(reply.bind_index).second) << int{reply.bind_index};
             EXPECT_LE(reply.ports.size(), 4u);
-            EXPECT_EQ(answers.place_of(reply.ports.back()).bind_index, reply.bind_index);
-            EXPECT_EQ(answers.place_of(reply.ports.back()).port, reply.ports.size());
+            EXPECT_EQ(answers.place_of(reply.ports.back())->bind_index, reply.bind_index);
+            EXPECT_EQ(answers.place_of(reply.ports.back())->port, reply.ports.size());
             for (const std::uint16_t port : reply.ports) {
                 EXPECT_EQ(port >> 4, reply.ports[0] >> 4);
                 EXPECT_TRUE(seen.insert(port).second) << port;

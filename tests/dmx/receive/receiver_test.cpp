@@ -278,6 +278,33 @@ TEST(Receiver, answers_a_poll_with_one_reply_per_universe) {
     EXPECT_EQ(statistics.packets_artnet, 4u); // three polls and the levels
 }
 
+TEST(Receiver, what_goes_out_though_nobody_asks_is_bounded) {
+    ReceiverOptions options = on_loopback();
+    options.answer_polls = true;
+    const std::vector<std::uint8_t> packet{'A', 'r', 't', '-', 'N', 'e', 't', 0, 0x00, 0x81};
+    std::optional<PollAnswers::Place> known, unknown;
+    options.unasked = [&](nanoseconds, const ReceiverOptions::PlaceOf& place_of) {
+        known = place_of(3);
+        unknown = place_of(0x7000);
+        return std::optional(ReceiverOptions::Unasked{0x7F000003, {packet}});
+    };
+    const auto desk = UdpSocket::open(0x7F000003, options.artnet_port, 1 << 18);
+    ASSERT_TRUE(desk.ok());
+    {
+        const auto receiver = start(options);
+        ASSERT_TRUE(receiver);
+        std::this_thread::sleep_for(350ms);
+    }
+    ASSERT_TRUE(known);
+    EXPECT_EQ(known->bind_index, 4);
+    EXPECT_FALSE(unknown) << "no reply names it";
+    std::size_t got = 0;
+    for (auto datagrams = (*desk)->receive(); !datagrams.empty(); datagrams = (*desk)->receive())
+        for (const Datagram& datagram : datagrams) got += std::ranges::equal(datagram.bytes, packet) ? 1 : 0;
+    EXPECT_GE(got, kMaxAnswers / 2);
+    EXPECT_LE(got, kMaxAnswers / 2 * 8) << "half of what may be, ten times a second";
+}
+
 TEST(Receiver, a_taken_port_is_named) {
     const ReceiverOptions options = on_loopback();
     const int other = socket(AF_INET, SOCK_DGRAM, 0);

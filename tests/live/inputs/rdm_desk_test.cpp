@@ -36,11 +36,30 @@ scene::Show lamps() {
 // The receiver's end, as a desk meets it.
 struct Wire {
     explicit Wire(RdmDesk& desk) { desk.listen(options); }
-    static dmx::PollAnswers::Place first_port(std::uint16_t) { return {}; }
+    static std::optional<dmx::PollAnswers::Place> first_port(std::uint16_t port_address) {
+        if (port_address > 0) return std::nullopt;
+        return dmx::PollAnswers::Place{};
+    }
+    static constexpr std::uint32_t kDesk = 0x0A000001;
+    rdm::Node::Packets send(const Data& bytes) const {
+        dmx::Datagram datagram;
+        datagram.bytes = bytes;
+        datagram.from = dmx::IpAddress(kDesk);
+        return options.answer_artnet(datagram, first_port);
+    }
+    // How many a table tells that comes unasked; nothing: none does. The rest between two is over each time.
+    std::optional<int> told() {
+        now += rdm::kTableRest;
+        const auto unasked = options.unasked(now, first_port);
+        if (!unasked) return std::nullopt;
+        EXPECT_EQ(unasked->to_ipv4, kDesk);
+        const rdm::ArtPacket parsed = rdm::parse_artnet(unasked->packets.at(0));
+        return std::get<rdm::TodData>(parsed).total;
+    }
 
     std::vector<rdm::Uid> find() const {
         std::vector<rdm::Uid> uids;
-        for (const Data& packet : options.answer_artnet(rdm::build_tod_request({{0}}), first_port)) {
+        for (const Data& packet : send(rdm::build_tod_request({{0}}))) {
             const rdm::ArtPacket parsed = rdm::parse_artnet(packet);
             const auto& table = std::get<rdm::TodData>(parsed);
             uids.insert(uids.end(), table.uids.begin(), table.uids.end());
@@ -55,7 +74,7 @@ struct Wire {
         message.command = command;
         message.pid = static_cast<std::uint16_t>(pid);
         message.data = std::move(data);
-        const auto packets = options.answer_artnet(rdm::build_art_rdm(0, message), first_port);
+        const auto packets = send(rdm::build_art_rdm(0, message));
         if (packets.empty()) return {};
         const rdm::ArtPacket parsed = rdm::parse_artnet(packets[0]);
         const auto& answer = std::get<rdm::Message>(std::get<rdm::ArtRdm>(parsed).message);
@@ -77,6 +96,7 @@ struct Wire {
         return {};
     }
     dmx::ReceiverOptions options;
+    std::chrono::nanoseconds now{0};
 };
 
 Data text(const std::string& words) {
@@ -101,6 +121,31 @@ TEST(RdmDesk, off_nobody_is_there_and_the_port_says_so) {
     ASSERT_EQ(now.heads.size(), 3u);
     EXPECT_TRUE(now.heads[0].is_found);
     EXPECT_EQ(now.heads[0].fixture, 0u);
+}
+
+TEST(RdmDesk, a_desk_is_told_unasked_who_came_and_went) {
+    RdmDesk desk(1, ui::RdmAccess::read);
+    Wire wire(desk);
+    scene::Show show = lamps();
+    desk.update(show);
+    EXPECT_FALSE(wire.told()) << "nobody asked";
+    EXPECT_EQ(wire.find().size(), 3u);
+    show.fixtures[0].universe = 2;
+    desk.update(show);
+    EXPECT_EQ(wire.told(), 2);
+    show.fixtures[1].address = 200;
+    desk.update(show);
+    EXPECT_FALSE(wire.told()) << "it is who it was";
+    desk.set_access(ui::RdmAccess::off);
+    EXPECT_EQ(wire.told(), 0);
+    EXPECT_TRUE(wire.send(rdm::build_tod_request({{0}})).empty()) << "off, the port says that it has no RDM";
+    desk.set_access(ui::RdmAccess::read);
+    desk.update(show);
+    EXPECT_EQ(wire.told(), 2);
+    show.fixtures.clear();
+    desk.update(show);
+    EXPECT_EQ(wire.told(), 0);
+    EXPECT_EQ(wire.send(rdm::build_tod_request({{0}})).size(), 1u) << "and who asks hears it";
 }
 
 TEST(RdmDesk, who_only_reads_may_identify_and_set_nothing) {
