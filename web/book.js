@@ -46,6 +46,8 @@ class Book extends HTMLElement {
       const answer = await fetchWithToken("/book/book.json");
       const text = await answer.text();
       if (!answer.ok) throw new Error(text.trim());
+      const none = JSON.parse(text).none;
+      if (none) throw new Error(none);
       const other = await fetchWithToken("/book/difference.json");
       const words = await other.text();
       const problem = other.ok ? "" : `What became of the older book cannot be shown: ${words.trim()}`;

@@ -54,8 +54,15 @@ void BookShelf::renew(Text& text, const std::string& name, const std::string& mi
 }
 
 Result<BookShelf::File> BookShelf::file(std::string_view name) {
-    if (folder_.empty())
-        return Error{"no cue book is given: start with --book FOLDER, which 'ghostlight book' makes", ""};
+    if (folder_.empty()) {
+        const char* const why =
+            "no cue book is given: start with --book FOLDER, which 'ghostlight book' makes";
+        // A browser that asks for one writes no fault to its console.
+        if (name == "book.json")
+            return File{"application/json",
+                        std::make_shared<const std::string>(R"({"none":")" + std::string(why) + "\"}")};
+        return Error{why, ""};
+    }
     renew(book_, "book.json", "there is no cue book in the folder of --book", files_of_book);
     renew(difference_, "difference.json", kNoFile, scene::files_of_difference);
     if (!book_.text.ok()) return book_.text.error();

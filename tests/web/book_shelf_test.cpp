@@ -130,5 +130,13 @@ TEST_F(Shelf, what_is_too_large_is_not_read) {
     EXPECT_FALSE(shelf.file("book.json").ok());
 }
 
+TEST(BookShelfWithout, a_folder_says_so_as_an_answer) {
+    BookShelf shelf{std::filesystem::path()};
+    const auto book = shelf.file("book.json");
+    ASSERT_TRUE(book.ok());
+    EXPECT_TRUE(book->bytes->starts_with("{\"none\":\"no cue book is given")) << *book->bytes;
+    EXPECT_FALSE(shelf.file("difference.json").ok());
+}
+
 } // namespace
 } // namespace ghost::web

@@ -32,8 +32,9 @@ public:
         std::string type;                         // of HTTP
         std::shared_ptr<const std::string> bytes; // never null
     };
-    // Where the book was compared with none, difference.json is null. Error: in words for who reads; there is
-    // no book, it is damaged, or has no such file.
+    // Without a folder book.json is {"none": a sentence}. Where the book was compared with none,
+    // difference.json is null. Error: in words for who reads; there is no book, it is damaged, or has no such
+    // file.
     Result<File> file(std::string_view name);
 
 private:
