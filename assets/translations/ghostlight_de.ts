@@ -2842,6 +2842,10 @@
         </translation>
     </message>
     <message>
+        <source>Say in which folder it is to lie.</source>
+        <translation>Bitte den Ordner nennen, in dem es liegen soll.</translation>
+    </message>
+    <message>
         <source>Twelve on a page</source>
         <translation>Zwölf auf einer Seite</translation>
     </message>

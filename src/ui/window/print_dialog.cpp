@@ -9,11 +9,13 @@
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QFontMetrics>
+#include <QGridLayout>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QImageReader>
 #include <QJsonArray>
 #include <QJsonObject>
+#include <QScreen>
 #include <QUrl>
 #include <QVBoxLayout>
 
@@ -23,12 +25,15 @@ namespace ghost::ui {
 namespace {
 
 constexpr int kMostPictures = 24, kMostChangesShown = 2;
+constexpr int kLeastLetters = 16;
 constexpr qsizetype kMostLinesShown = 6;
 constexpr QSize kPreview(240, 135);
 
 QComboBox* choice(const QString& name, std::initializer_list<std::pair<const char*, const char*>> words,
                   QWidget* parent) {
     auto* box = new QComboBox(parent);
+    box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon); // small displays, long words
+    box->setMinimumContentsLength(kLeastLetters);
     for (const auto& [text, option] : words) box->addItem(translated("Print", text), option);
     box->setAccessibleName(name);
     return box;
@@ -141,8 +146,11 @@ PrintDialog::PrintDialog(What what, AppModel& app, Actions& actions, QWidget* pa
     open_folder_ = new QPushButton(translated("Print", "Open the folder"), this);
     connect(open_folder_, &QPushButton::clicked, this,
             [this] { QDesktopServices::openUrl(QUrl::fromLocalFile(made_)); });
-    auto* buttons = new QHBoxLayout;
-    for (QPushButton* button : {make_, cancel_, open_, open_folder_}) buttons->addWidget(button);
+    auto* buttons = new QGridLayout;
+    buttons->addWidget(make_, 0, 0);
+    buttons->addWidget(cancel_, 0, 1);
+    buttons->addWidget(open_, 1, 0);
+    buttons->addWidget(open_folder_, 1, 1);
     auto* left = new QVBoxLayout;
     left->addLayout(form);
     left->addStretch(1);
@@ -152,7 +160,8 @@ PrintDialog::PrintDialog(What what, AppModel& app, Actions& actions, QWidget* pa
     auto* whole = new QHBoxLayout(this);
     whole->addLayout(left);
     whole->addWidget(make_preview(), 1);
-    resize(1020, 560);
+    constexpr int kFrame = 40; // and title of a window
+    resize(QSize(1020, 560).boundedTo(screen()->availableSize() - QSize(kFrame, kFrame)));
     connect(&app_, &AppModel::opened_show, this, &PrintDialog::name_show);
     connect(&app_.jobs(), &Jobs::changed, this, &PrintDialog::follow);
     name_show();
@@ -271,7 +280,9 @@ QWidget* PrintDialog::make_preview() {
 void PrintDialog::name_show() {
     if (!app_.show()) return;
     const QDir folder = QFileInfo(QString::fromStdString(app_.show()->file.string())).absoluteDir();
-    folder_->setText(folder.filePath(what_ == What::paper ? "paper" : "book"));
+    const QString beside = folder.filePath(what_ == What::paper ? "paper" : "book");
+    if (folder_->text() == proposed_) folder_->setText(beside); // else somebody typed it
+    proposed_ = beside;
     if (!camera_) return;
     camera_->clear();
     camera_->addItem(translated("Print", "The first camera"), "");
@@ -314,7 +325,23 @@ QString PrintDialog::options() const {
     return words.join(' ');
 }
 
+void PrintDialog::forget_result() {
+    printed_.clear();
+    if (tables_) {
+        tables_->clear();
+        show_table();
+    }
+    if (pictures_) pictures_->clear();
+    for (QPlainTextEdit* const lines : {unknown_, remarks_}) put(*lines, {});
+}
+
 void PrintDialog::make() {
+    forget_result();
+    if (folder_->text().trimmed().isEmpty()) {
+        said_->setText(translated("Print", "Say in which folder it is to lie."));
+        folder_->setFocus();
+        return;
+    }
     const QString command = what_ == What::paper ? "export-paper " : "export-book ";
     const Result<void> begun = actions_.run(command + quoted(folder_->text()) + " " + options());
     if (!begun.ok()) {

@@ -102,6 +102,37 @@ TEST(PrintDialog, blanks_in_a_value_stay) {
     EXPECT_TRUE(words->contains("last  night/tour  a")) << book.options().toStdString();
 }
 
+TEST(PrintDialog, a_folder_that_was_typed_stays) {
+    Printing in;
+    QLineEdit& folder = in.folder_of(in.dialog("paperwork"));
+    in.open("tour/show.toml");
+    EXPECT_TRUE(folder.text().endsWith("tour/paper")) << folder.text().toStdString();
+    folder.setText("mine");
+    in.open("show.toml");
+    EXPECT_EQ(folder.text(), "mine");
+}
+
+TEST(PrintDialog, says_in_plain_words_that_no_folder_is_named) {
+    Printing in;
+    const PrintDialog& paper = in.dialog("paperwork");
+    in.folder_of(paper).clear();
+    for (QPushButton* const button : paper.findChildren<QPushButton*>())
+        if (button->text() == "Make") button->click();
+    QStringList said;
+    for (const QLabel* const label : paper.findChildren<QLabel*>()) said << label->text();
+    EXPECT_TRUE(said.contains("Say in which folder it is to lie."));
+    EXPECT_TRUE(in.window.app().jobs().all().empty());
+}
+
+TEST(PrintDialog, fits_a_small_display) {
+    Printing in;
+    for (const char* const name : {"paperwork", "cue-book"}) {
+        const QSize least = in.dialog(name).minimumSizeHint();
+        EXPECT_LE(least.width(), 760) << name;
+        EXPECT_LE(least.height(), 560) << name;
+    }
+}
+
 TEST(PrintPreview, names_tables_as_the_page_does_and_says_what_they_leave_empty) {
     QTemporaryDir place;
     scene::Paper paper;

@@ -39,6 +39,7 @@ private:
     QWidget* make_preview();
     void name_show();
     void make();
+    void forget_result();
     void follow();
     void show_result();
     void show_table();
@@ -49,7 +50,8 @@ private:
     Actions& actions_;
     int job_ = 0; // that runs, or was the last; 0: none
     bool is_shown_ = false;
-    QString made_; // the folder that the job makes
+    QString made_;     // the folder that the job makes
+    QString proposed_; // beside the show
     QLineEdit* folder_;
     QComboBox *page_, *language_, *units_, *scale_ = nullptr, *sheet_ = nullptr;
     QComboBox *entries_ = nullptr, *camera_ = nullptr, *size_ = nullptr, *layout_ = nullptr;
