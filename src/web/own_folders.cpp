@@ -16,7 +16,8 @@ namespace fs = std::filesystem;
 namespace {
 
 bool is_of_path(char letter) {
-    return std::isalnum(static_cast<unsigned char>(letter)) || std::string_view("/._-~").contains(letter);
+    return std::isalnum(static_cast<unsigned char>(letter)) ||
+           std::string_view("/._-~").find(letter) != std::string_view::npos;
 }
 
 // Not in the middle of "../../tmp/lamp.gdtf".
