@@ -237,36 +237,24 @@ std::string sends_text(const dmx::SourceStatus& source, const Sources& all) {
            std::to_string(std::lround(source.rate_hz)) + " Hz";
 }
 
-// What one whose dimmers are down raises of lamps that another lights.
-struct Raised {
-    std::size_t channels = 0;
-    bool is_beside = false; // channels of these lamps that the other sets, too: they do not share the work
-};
-Raised raised_by(const dmx::SourceStatus& dark, const dmx::SourceStatus& lit, const PatchMap& patch) {
-    Raised result;
-    if (!dark.slots || !lit.slots) return result;
-    struct Lamp {
-        std::size_t raised = 0;
-        bool is_lit = false, is_set = false;
-    };
-    std::map<std::size_t, Lamp> lamps;
+// How many channels one whose dimmers are down raises of lamps that another lights.
+std::size_t raised_by(const dmx::SourceStatus& down, const dmx::SourceStatus& lit, const PatchMap& patch) {
+    if (!down.slots || !lit.slots) return 0;
+    std::map<std::size_t, std::size_t> raised; // by fixture
+    std::set<std::size_t> are_lit;
     for (int address = 1; address <= static_cast<int>(dmx::kSlots); ++address) {
         const auto slot = static_cast<std::size_t>(address - 1);
         const bool is_up = lit.slots->levels[slot] > 0;
-        const bool raises = !is_up && dark.slots->levels[slot] > 0 && dark.slots->stands[slot];
+        const bool raises = !is_up && down.slots->levels[slot] > 0 && down.slots->stands[slot];
         if (!is_up && !raises) continue;
         for (const PatchedSlot* one : patch.at(lit.universe, address)) {
-            Lamp& lamp = lamps[one->fixture];
-            lamp.raised += raises ? 1 : 0;
-            (one->dims ? lamp.is_lit : lamp.is_set) |= is_up;
+            if (raises) ++raised[one->fixture];
+            if (is_up && one->dims) are_lit.insert(one->fixture);
         }
     }
-    for (const auto& [index, lamp] : lamps) {
-        if (!lamp.is_lit) continue;
-        result.channels += lamp.raised;
-        result.is_beside |= lamp.raised > 0 && lamp.is_set;
-    }
-    return result;
+    std::size_t channels = 0;
+    for (const std::size_t fixture : are_lit) channels += raised[fixture];
+    return channels;
 }
 
 // Two that have the same say. What they send may be the same (a backup), or not (two that fight).
@@ -305,11 +293,8 @@ void add_two_desks(const dmx::Statistics& statistics, const PatchMap& patch, Sen
                 dark.insert(apart_text(*source, sources));
             else if (dimmers_are_down(*source, patch)) {
                 down.insert(apart_text(*source, sources));
-                for (const dmx::SourceStatus* other : sources) {
-                    const Raised by = raised_by(*source, *other, patch);
-                    raised = std::max(raised, by.channels);
-                    contested |= by.is_beside;
-                }
+                for (const dmx::SourceStatus* other : sources)
+                    raised = std::max(raised, raised_by(*source, *other, patch));
             }
             all_down += source->is_dark || dimmers_are_down(*source, patch) ? 1 : 0;
             ++meet;
@@ -338,12 +323,13 @@ void add_two_desks(const dmx::Statistics& statistics, const PatchMap& patch, Sen
             fight.merge +
             (is_shared ? ". If both play these lamps, all is well; if one is a backup, it is out of step: "
                          "give it a lower priority"
+             : fight.contested ? ". Switch one off, or give one that is a backup a lower priority"
              : fight.raised > 0 && !fight.down.empty()
                  ? ". " + *fight.down.begin() + " has all dimmers at 0, and raises up to " +
                        count_text(fight.raised, "channel") +
-                       " of lamps that others light: a closed shutter or a colour among these takes the "
-                       "light away. Switch one off, or give one that is a backup a lower priority"
-             : fight.contested     ? ". Switch one off, or give one that is a backup a lower priority"
+                       " of lamps that others light: a closed shutter or a colour among these would take "
+                       "the light away. If they are not meant to share, switch one off, or give one that "
+                       "is a backup a lower priority"
              : !fight.down.empty() ? ". " + *fight.down.begin() +
                                          " has all dimmers at 0: if that is a black-out, the others hide it"
              : !fight.dark.empty()

@@ -124,11 +124,14 @@ PatchedFixture read_fixture(TableReader& reader, const std::string& name, const 
         reader.problem(Severity::warning, "mode", "is not used: without a gdtf there is one mode only");
     const auto universe = reader.integer("universe", 1, dmx::kMaxUniverse);
     put_value(fixture.universe, universe);
-    const auto address = reader.integer("address", 1, 512);
+    const auto address = reader.integer("address", 0, 512); // 0: nowhere
     const bool is_universe_known = universe || !reader.has("universe");
     // In a universe that nobody names it would have the light of another fixture.
     fixture.address = is_universe_known ? address.value_or(0) : 0;
     fixture.is_address_known = is_universe_known && (address || !reader.has("address"));
+    if (address == 0)
+        reader.problem(Severity::warning, "address",
+                       "is 0: the fixture is not patched and keeps its defaults");
     source.address_line = reader.line_of("address");
     if (!reader.has("address") && !reader.has("projector") && !reader.has("wall") && !reader.has("laser"))
         reader.problem(Severity::warning, "address",

@@ -231,7 +231,7 @@ const Wrong kWrong[] = {
     {"fixture_name_twice", kHead + fixture("a", 1) + fixture("a", 100), 19, Severity::error,
      "'a' is taken by line 10"},
     {"address_beyond_512", kHead + fixture("a", 513), 14, Severity::error,
-     "expected a whole number from 1 to 512"},
+     "expected a whole number from 0 to 512"},
     {"address_as_text",
      kHead + "[[fixture]]\nname = \"a\"\ngdtf = \"x.gdtf\"\naddress = \"1.17\"\nposition_m = [0, 0, 5]\n", 12,
      Severity::error, "expected a whole number from 1 to 512"},

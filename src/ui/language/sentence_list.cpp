@@ -436,16 +436,16 @@ constexpr const char* kSentences[] = {
     QT_TRANSLATE_NOOP("Sentence",
                       "%1 come from more than one source of equal priority, %2, and they differ on up to %3: "
                       "%4. %5 has all dimmers at 0: if that is a black-out, the others hide it"),
-    QT_TRANSLATE_NOOP(
-        "Sentence",
-        "%1 comes from more than one source of equal priority, %2, and they differ on up to %3: %4. %5 has "
-        "all dimmers at 0, and raises up to %6 of lamps that others light: a closed shutter or a colour "
-        "among these takes the light away. Switch one off, or give one that is a backup a lower priority"),
-    QT_TRANSLATE_NOOP(
-        "Sentence",
-        "%1 come from more than one source of equal priority, %2, and they differ on up to %3: %4. %5 has "
-        "all dimmers at 0, and raises up to %6 of lamps that others light: a closed shutter or a colour "
-        "among these takes the light away. Switch one off, or give one that is a backup a lower priority"),
+    QT_TRANSLATE_NOOP("Sentence",
+                      "%1 comes from more than one source of equal priority, %2, and they differ on up to "
+                      "%3: %4. %5 has all dimmers at 0, and raises up to %6 of lamps that others light: a "
+                      "closed shutter or a colour among these would take the light away. If they are not "
+                      "meant to share, switch one off, or give one that is a backup a lower priority"),
+    QT_TRANSLATE_NOOP("Sentence",
+                      "%1 come from more than one source of equal priority, %2, and they differ on up to %3: "
+                      "%4. %5 has all dimmers at 0, and raises up to %6 of lamps that others light: a closed "
+                      "shutter or a colour among these would take the light away. If they are not meant to "
+                      "share, switch one off, or give one that is a backup a lower priority"),
     QT_TRANSLATE_NOOP("Sentence",
                       "two senders have one identity (CID) on %1: %2 and one at %3 that sends other packets. "
                       "The first is shown, the second is dropped. One is a copy of the other (a cloned disk, "
