@@ -234,7 +234,7 @@ const Wrong kWrong[] = {
      "expected a whole number from 0 to 512"},
     {"address_as_text",
      kHead + "[[fixture]]\nname = \"a\"\ngdtf = \"x.gdtf\"\naddress = \"1.17\"\nposition_m = [0, 0, 5]\n", 12,
-     Severity::error, "expected a whole number from 1 to 512"},
+     Severity::error, "expected a whole number from 0 to 512"},
     {"fixture_without_address",
      kHead + "[[fixture]]\nname = \"a\"\ngdtf = \"x.gdtf\"\nposition_m = [0, 0, 5]\n", 9, Severity::warning,
      "not patched"},
