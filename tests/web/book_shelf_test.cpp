@@ -74,8 +74,6 @@ TEST_F(Shelf, a_difference_brings_its_pictures) {
 }
 
 TEST_F(Shelf, what_is_no_book_is_said) {
-    EXPECT_FALSE(BookShelf("").file("book.json").ok());
-    EXPECT_NE(BookShelf("").file("book.json").error().what.find("--book"), std::string::npos);
     EXPECT_FALSE(shelf.file("book.json").ok()) << "not made yet";
     put("book.json", "{]");
     EXPECT_FALSE(shelf.file("book.json").ok());
