@@ -239,6 +239,7 @@ std::string links_text(const dmx::Statistics& statistics, std::chrono::nanosecon
 // "'FOH' (10.0.0.1) is heard all the while, with universes 4, 9: ..", where each that sent what is lost sends
 // others; else "".
 std::string heard_text(const dmx::Statistics& statistics, const std::set<dmx::IpAddress>& senders) {
+    if (senders.contains(dmx::IpAddress{})) return ""; // widgets have none
     std::set<dmx::IpAddress> heard;
     std::set<int> universes;
     std::string who;

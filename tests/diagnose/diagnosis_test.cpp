@@ -237,6 +237,15 @@ TEST(diagnosis, ALostUniverse) {
     expect_words(network.text(Trouble::lost), {"last look is held. eth0: cable pulled 15 s ago"});
     network.statistics.lost = {{3, true, 70s}};
     expect_words(network.text(Trouble::lost), {"black", "70 s"});
+    EXPECT_EQ(network.text(Trouble::lost).find("heard all the while"), std::string::npos);
+    const dmx::IpAddress desk(0x0A000007);
+    network.statistics.lost = {{3, false, 12s, false, 16s, 0, desk}};
+    expect_words(network.text(Trouble::lost), {"Its desk has stopped", "less often"});
+    network.statistics.sources[0].from = desk;
+    expect_words(network.text(Trouble::lost), {"is heard all the while, with universe 4", "IGMP snooping"});
+    network.statistics.sources[0].from = {}; // two widgets, of which one is silent
+    network.statistics.lost = {{3, false, 12s}};
+    EXPECT_EQ(network.text(Trouble::lost).find("heard all the while"), std::string::npos);
     Network all({3});
     all.statistics.lost = {{3, false, 12s}};
     EXPECT_EQ(all.troubles(), Troubles{Trouble::lost});
