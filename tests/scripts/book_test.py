@@ -191,7 +191,7 @@ class Book(unittest.TestCase):
                 self.assertEqual(rows[name][2:], ["the same", "0", "0", "0", "0 %"])
             self.assertEqual(sorted(path.name for path in (WORK / out / "old").iterdir()), ["0002-1.png"])
             self.assertEqual(sorted(path.name for path in (WORK / out / "differences").iterdir()), ["0002-1.png"])
-            self.assertEqual({path.name for path in (WORK / out).iterdir()}, {".ghostlight", "book.json", "difference.json", "index.html", "pictures", "old", "differences"})
+            self.assertEqual({path.name for path in (WORK / out).iterdir()}, {".ghostlight", "book.json", "difference.json", "index.html", "values.csv", "pictures", "old", "differences"})
 
     def test_fixtures_that_changed_are_named(self):
         moved = show("moved")
