@@ -67,8 +67,13 @@ void BakedSupply::look(const Session& session, const scene::Camera& stands, cons
     is_unsaved_ = wanted.text && (!saved.ok() || *saved != *wanted.text);
     const std::string stamp = stamp_of(show, stands);
     if (stamp == stamp_ || reading_.valid()) return;
-    stamp_ = stamp;
     view_.reset();
+    // Reading and uploading what is not shown would only take time from the live picture.
+    if (stands.foreign_passes.empty()) {
+        why_not_ = why_too_coarse(stands, {wanted.camera.width, wanted.camera.height});
+        if (!why_not_.empty()) return;
+    }
+    stamp_ = stamp;
     why_not_ = "its passes are being read";
     reading_ = std::async(std::launch::async, load_baked, std::cref(show), stands);
 }
