@@ -103,7 +103,10 @@ std::vector<Sentence> diagnose(const dmx::Statistics& statistics, const PatchMap
     add_ranks(statistics, patch, out);
     add_numbering(statistics, out);
     add_sources(statistics, out);
-    for (std::size_t i = before; i < out.size(); ++i) out[i].is_problem &= concerns(out[i], patch);
+    // Who hears only what is patched knows nothing of the others, and all say the same.
+    out.erase(std::remove_if(out.begin() + static_cast<std::ptrdiff_t>(before), out.end(),
+                             [&](const Sentence& one) { return !concerns(one, patch); }),
+              out.end());
     return out;
 }
 

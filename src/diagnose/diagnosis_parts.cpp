@@ -31,15 +31,19 @@ bool has_levels(const dmx::SourceStatus& source) {
 
 Arriving::Arriving(const dmx::Statistics& statistics) {
     const auto add = [&](int universe, dmx::Protocol protocol, const std::string& from) {
-        universes.emplace(universe, from);
+        std::string& first = universes.emplace(universe, from).first->second;
+        if (first != from) shared.insert(universe);
+        first = std::min(first, from);
         by_protocol[protocol].insert(universe);
     };
     for (const dmx::SourceStatus& source : statistics.sources)
         if (source.state != dmx::SourceState::silent && has_levels(source))
             add(source.universe, source.protocol,
                 source_text(source.name, dmx::place_text(source), source.protocol));
-    for (const dmx::UnlistedUniverse& one : statistics.unlisted_universes)
+    for (const dmx::UnlistedUniverse& one : statistics.unlisted_universes) {
         add(one.universe, one.protocol, source_text(one.name, dmx::address_text(one.from), one.protocol));
+        if (one.has_others) shared.insert(one.universe);
+    }
     for (const dmx::IgnoredSource& one : statistics.ignored)
         add(one.universe, one.protocol, source_text(one.name, dmx::address_text(one.from), one.protocol));
     for (const dmx::DiscoveredSource& one : statistics.discovered) {
@@ -195,10 +199,12 @@ bool is_foreign(const dmx::IpAddress& address, const dmx::Statistics& statistics
 
 bool synchronisation_is_late(const dmx::SourceStatus& source, const std::vector<dmx::SyncStatus>& sync) {
     return std::any_of(sync.begin(), sync.end(), [&](const dmx::SyncStatus& one) {
-        return one.universe == source.sync_universe && one.age > kSyncIsLate &&
-               one.source.protocol == source.protocol &&
-               (source.protocol == dmx::Protocol::artnet ? source.id.starts_with(dmx::source_id(one.source))
-                                                         : source.id == dmx::source_id(one.source));
+        if (one.universe != source.sync_universe || one.age <= kSyncIsLate ||
+            one.source.protocol != source.protocol)
+            return false;
+        const std::string id = dmx::source_id(one.source);
+        const bool any_input = source.protocol == dmx::Protocol::artnet && source.id.starts_with(id + "/");
+        return source.id == id || any_input;
     });
 }
 

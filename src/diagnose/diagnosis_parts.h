@@ -18,7 +18,8 @@ inline constexpr std::chrono::seconds kSilent{1}; // too long for a desk whose l
 struct Arriving {
     explicit Arriving(const dmx::Statistics& statistics);
 
-    std::map<int, std::string> universes; // levels, and from whom
+    std::map<int, std::string> universes; // levels, and from whom, of several the first by name
+    std::set<int> shared;                 // that several send
     std::map<dmx::Protocol, std::set<int>> by_protocol;
     struct Listed {
         std::string who;

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 #include <optional>
 
 namespace ghost::scene::diagnosed {
@@ -16,28 +17,57 @@ constexpr const char* kOrAnother =
     ". If that is another system's (another hall, somebody's list), this show's desk is silent or does not "
     "get here: its output, the network, a firewall on UDP 5568 and 6454";
 
+constexpr std::size_t kMostCompared = 32; // universes that are missing, with all that arrive
+
 // Universes that the patch and the network have one beside the other.
 struct Shift {
     int by = 0; // universes of the patch = those that arrive + this
     dmx::Protocol protocol = dmx::Protocol::artnet;
-    std::set<int> arriving;
+    std::set<int> arriving; // all of the protocol
+    std::set<int> missing;  // of the patch, that would be there
+    std::set<int> right;    // of the patch, that are there as it is, though not all would match so well
 };
 
-// What another protocol feeds is missing nothing: universes of somebody else lie beside it by chance.
-std::optional<Shift> find_shift(dmx::Protocol protocol, const Arriving& all, const PatchMap& patch) {
+bool was_lost(const dmx::Statistics& statistics, int universe) {
+    return std::any_of(statistics.lost.begin(), statistics.lost.end(),
+                       [&](const dmx::LostUniverse& one) { return one.universe == universe; });
+}
+
+// What another protocol feeds is missing nothing: universes of somebody else lie beside it by chance. What
+// came until now is no shift, and neither is what lies further away as well.
+std::optional<Shift> find_shift(dmx::Protocol protocol, const dmx::Statistics& statistics,
+                                const Arriving& all, const PatchMap& patch) {
     const std::set<int> arriving = all.announced(protocol);
-    const auto is_fed = [&](int universe) {
-        return std::any_of(all.by_protocol.begin(), all.by_protocol.end(), [&](const auto& one) {
-            return one.first != protocol && one.second.contains(universe);
+    std::set<int> wanted, missing, right;
+    for (const PatchedUniverse& one : patch.universes()) {
+        if (was_lost(statistics, one.universe)) return std::nullopt;
+        const bool is_fed = std::any_of(all.by_protocol.begin(), all.by_protocol.end(), [&](const auto& by) {
+            return by.first != protocol && by.second.contains(one.universe);
         });
-    };
-    const auto matches = [&](int by) {
-        return std::count_if(arriving.begin(), arriving.end(),
-                             [&](int u) { return patch.has(u + by) && (by == 0 || !is_fed(u + by)); });
-    };
-    const int by = matches(-1) > matches(1) ? -1 : 1;
-    if (matches(by) <= matches(0)) return std::nullopt;
-    return Shift{by, protocol, arriving};
+        if (is_fed) continue;
+        wanted.insert(one.universe);
+        (arriving.contains(one.universe) ? right : missing).insert(one.universe);
+    }
+    std::map<int, std::size_t> found; // by shift, of what is missing
+    std::size_t compared = 0;
+    for (const int to : missing) {
+        if (++compared > kMostCompared) break;
+        for (const int from : arriving) ++found[to - from];
+    }
+    const int by = found[-1] > found[1] ? -1 : 1;
+    std::size_t most = 0;
+    for (const auto& [shift, count] : found) most = std::max(most, count);
+    if (found[by] == 0 || found[by] < most) return std::nullopt;
+    Shift shift{by, protocol, arriving, {}, {}};
+    std::size_t matches = 0, beside = 0;
+    for (const int universe : arriving) {
+        matches += wanted.contains(universe + by) ? 1 : 0;
+        beside += wanted.contains(universe + by) ? 0 : 1;
+        if (missing.contains(universe + by)) shift.missing.insert(universe + by);
+    }
+    if (matches <= right.size()) return std::nullopt;
+    if (matches < wanted.size() || beside > 0) shift.right = right;
+    return shift;
 }
 
 std::string shift_text(const Shift& shift, const dmx::Statistics& statistics, const Arriving& arriving,
@@ -52,11 +82,14 @@ std::string shift_text(const Shift& shift, const dmx::Statistics& statistics, co
         !arriving.by(shift.protocol) && listed != arriving.listed.end())
         text += " by " + listed->second.who;
     text += ", fixtures are on " + universes_text(numbers_of(patch)) + ": ";
+    if (!shift.right.empty())
+        text += "either nothing is sent for " + universes_text(shift.missing) +
+                " or it does not get here, or all of them are one off: then ";
     if (shift.protocol == dmx::Protocol::artnet)
         text += "--artnet-offset " + std::to_string(offset + shift.by) + " brings them together";
     else
         text += "move the desk's output or the show's patch by one";
-    return text + kOrAnother;
+    return shift.right.empty() ? text + kOrAnother : text;
 }
 
 // Net, Sub-Net and Universe of a Port-Address.
@@ -64,19 +97,36 @@ std::array<int, 3> parts_of(int port_address) {
     return {port_address >> 8, (port_address >> 4) & 15, port_address & 15};
 }
 
-// Where one that arrives has the three numbers of one that is missing in another order.
+// Where what arrives has the three numbers of all that is missing in another order, or another Net or
+// Sub-Net.
 std::string swapped_text(const std::set<int>& arriving, const std::set<int>& missing, int offset) {
-    for (const int from : arriving)
-        for (const int to : missing) {
-            if (from < offset || to < offset || from == to) continue;
-            std::array<int, 3> a = parts_of(from - offset), b = parts_of(to - offset);
-            std::sort(a.begin(), a.end());
-            std::sort(b.begin(), b.end());
-            if (a == b)
-                return "; in Art-Net that is Net:Sub-Net:Universe " + port_address_text(from, offset) +
-                       ", the show wants " + port_address_text(to, offset) +
-                       ": the same numbers in another order";
-        }
+    const auto all_come = [&](const auto& sent) { // for what is missing: at another number, each of them
+        return std::all_of(missing.begin(), missing.end(), [&](int to) {
+            const int from = sent(to);
+            return to >= offset && from != to && arriving.contains(from);
+        });
+    };
+    const auto text = [&](int from, const char* how) {
+        return "; in Art-Net that is Net:Sub-Net:Universe " + port_address_text(from, offset) +
+               ", the show wants " + port_address_text(*missing.begin(), offset) + ": " + how;
+    };
+    if (missing.empty()) return "";
+    std::array<std::size_t, 3> order{0, 1, 2};
+    while (std::next_permutation(order.begin(), order.end())) {
+        const auto sent = [&](int to) {
+            const std::array<int, 3> parts = parts_of(to - offset);
+            const int net = parts[order[0]], sub_net = parts[order[1]], universe = parts[order[2]];
+            return sub_net > 15 || universe > 15 ? to : (net << 8 | sub_net << 4 | universe) + offset;
+        };
+        if (all_come(sent)) return text(sent(*missing.begin()), "the same numbers in another order");
+    }
+    for (const int from : arriving) {
+        const int by = from - *missing.begin();
+        const char* const how = by % 256 == 0              ? "another Net"
+                                : by % 16 == 0 && by < 256 ? "another Sub-Net"
+                                                           : nullptr;
+        if (how && from >= offset && all_come([&](int to) { return to + by; })) return text(from, how);
+    }
     return "";
 }
 
@@ -141,29 +191,24 @@ void add_patch(const dmx::Statistics& statistics, const Arriving& arriving, cons
     add_short(statistics, patch, out);
     std::set<int> explained_patch, explained_arriving;
     for (const auto protocol : {dmx::Protocol::artnet, dmx::Protocol::sacn}) {
-        const auto shift = find_shift(protocol, arriving, patch);
+        const auto shift = find_shift(protocol, statistics, arriving, patch);
         if (!shift) continue;
-        std::set<int> wanted;
-        for (const int universe : shift->arriving) {
-            explained_arriving.insert(universe);
-            wanted.insert(universe + shift->by);
-        }
-        explained_patch.insert(wanted.begin(), wanted.end());
-        out.push_back(problem(Trouble::off_by_one, shift_text(*shift, statistics, arriving, patch), wanted));
+        for (const int universe : shift->arriving)
+            if (patch.has(universe + shift->by)) explained_arriving.insert(universe);
+        if (shift->right.empty()) explained_patch.insert(shift->missing.begin(), shift->missing.end());
+        out.push_back(
+            problem(Trouble::off_by_one, shift_text(*shift, statistics, arriving, patch), shift->missing));
     }
     for (const Sentence& sentence : out)
         if (sentence.trouble == Trouble::wrong_interface || sentence.trouble == Trouble::held_back)
             explained_patch.insert(sentence.universes.begin(), sentence.universes.end());
-    const auto was_lost = [&](int universe) {
-        return std::any_of(statistics.lost.begin(), statistics.lost.end(),
-                           [&](const dmx::LostUniverse& one) { return one.universe == universe; });
-    };
     std::set<int> missing, elsewhere;
     const std::string unreadable = unreadable_text(statistics);
     std::size_t fixtures = 0;
     std::string first, runs_on;
     for (const PatchedUniverse& one : patch.universes()) {
-        if (arriving.has(one.universe) || explained_patch.contains(one.universe) || was_lost(one.universe))
+        if (arriving.has(one.universe) || explained_patch.contains(one.universe) ||
+            was_lost(statistics, one.universe))
             continue;
         missing.insert(one.universe);
         fixtures += one.fixtures;
@@ -196,7 +241,7 @@ void add_patch(const dmx::Statistics& statistics, const Arriving& arriving, cons
     // What came before it went elsewhere is wanted, too.
     std::set<int> wanted = missing;
     for (const PatchedUniverse& one : patch.universes())
-        if (was_lost(one.universe) && !arriving.has(one.universe)) wanted.insert(one.universe);
+        if (was_lost(statistics, one.universe) && !arriving.has(one.universe)) wanted.insert(one.universe);
     const std::string wants = wanted.empty() ? "" : "; the show wants " + universes_text(wanted);
     if (!only_announced.empty())
         out.push_back(problem(Trouble::not_patched,
@@ -205,8 +250,9 @@ void add_patch(const dmx::Statistics& statistics, const Arriving& arriving, cons
                               missing));
     if (elsewhere.empty()) return;
     std::string who = arriving.universes.at(*elsewhere.begin());
-    if (std::any_of(elsewhere.begin(), elsewhere.end(),
-                    [&](int universe) { return arriving.universes.at(universe) != who; }))
+    if (std::any_of(elsewhere.begin(), elsewhere.end(), [&](int universe) {
+            return arriving.universes.at(universe) != who || arriving.shared.contains(universe);
+        }))
         who += " and others";
     std::string text = "packets for " + universes_text(elsewhere) + " arrive (" + who +
                        "), nothing is patched there" + wants;
@@ -224,82 +270,79 @@ void add_patch(const dmx::Statistics& statistics, const Arriving& arriving, cons
 
 namespace {
 
-// ". net0: cable pulled 4 s ago, ..", of what happened to our cards after the last levels came; else "".
-std::string links_text(const dmx::Statistics& statistics, std::chrono::nanoseconds silent,
-                       const std::set<unsigned>& interfaces) {
+constexpr std::chrono::seconds kTogether{2}; // universes that were lost at one time
+
+// ". net0: cable pulled 4 s ago, ..", of what happened to our card after the last levels came; else "".
+std::string links_text(const dmx::Statistics& statistics, const dmx::LostUniverse& lost) {
     std::string text;
     for (const dmx::LinkChange& change : statistics.link_changes)
         if (const std::chrono::nanoseconds age = statistics.time - change.time;
-            change.is_loss && interfaces.contains(change.interface_index) && age <= silent &&
-            silent - age <= dmx::kArtnetLoss)
+            change.is_loss && change.interface_index == lost.interface_index && age <= lost.silent &&
+            lost.silent - age <= dmx::kArtnetLoss)
             text = ". " + one_line(change.text) + " " + seconds_text(age) + " ago, which may be why";
     return text;
 }
 
-// "'FOH' (10.0.0.1) is heard all the while, with universes 4, 9: ..", where each that sent what is lost sends
-// others; else "".
-std::string heard_text(const dmx::Statistics& statistics, const std::set<dmx::IpAddress>& senders) {
-    if (senders.contains(dmx::IpAddress{})) return ""; // widgets have none
-    std::set<dmx::IpAddress> heard;
+// ". 'FOH' (10.0.0.7) is heard all the while, with universes 4, 9: ..", where who sent it sends others; else
+// "".
+std::string heard_text(const dmx::Statistics& statistics, const dmx::LostUniverse& lost) {
     std::set<int> universes;
     std::string who;
     for (const dmx::SourceStatus& source : statistics.sources) {
-        if (source.state != dmx::SourceState::live || !senders.contains(source.from)) continue;
-        heard.insert(source.from);
+        if (source.state != dmx::SourceState::live || lost.source.empty() || source.id != lost.source)
+            continue;
         universes.insert(source.universe);
-        if (who.empty()) who = source_text(source);
+        who = source_text(source);
     }
-    if (universes.empty() || heard.size() < senders.size()) return "";
-    return ". " + who + (heard.size() > 1 ? " and others are" : " is") + " heard all the while, with " +
-           universes_text(universes) +
+    if (universes.empty()) return "";
+    return ". " + who + " is heard all the while, with " + universes_text(universes) +
            ": its output was switched off or goes elsewhere, or something holds back these packets alone, a "
            "firewall or a switch that prunes multicast (IGMP snooping without a querier)";
+}
+
+std::string why_lost(const dmx::Statistics& statistics, const PatchMap& patch,
+                     const dmx::LostUniverse& lost) {
+    if (is_without_levels(statistics, lost.universe))
+        return ". Packets still come, without levels" + empty_text(statistics, patch);
+    if (lost.ended)
+        return ". Its desk said that it ends this stream: its output was switched off, or its program closed";
+    if (const std::string links = links_text(statistics, lost); !links.empty()) return links;
+    if (const std::string heard = heard_text(statistics, lost); !heard.empty()) return heard;
+    if (const std::string unreadable = unreadable_text(statistics); !unreadable.empty())
+        return ". Packets arrive that cannot be read (" + unreadable +
+               "): if they are its desk's, that has to be mended";
+    return ". Its desk has stopped, sends elsewhere now (another universe or machine) or less often than "
+           "every 2.5 s (sACN) or 10 s (Art-Net), or something on the way lets nothing through any more: a "
+           "cable, a firewall, or a switch that prunes multicast after minutes (IGMP snooping without a "
+           "querier)";
 }
 
 } // namespace
 
 void add_lost(const dmx::Statistics& statistics, const PatchMap& patch, Sentences& out) {
-    const std::string unreadable = unreadable_text(statistics);
-    constexpr std::pair<bool, bool> kKinds[] = {{false, false}, {true, false}, {false, true}, {true, true}};
-    for (const auto& [black, ended] : kKinds) {
+    struct Lost {
+        std::chrono::nanoseconds since;
         std::set<int> universes;
-        std::set<unsigned> interfaces; // that these came by
-        std::set<dmx::IpAddress> senders;
-        std::chrono::nanoseconds longest{0}, silent{0};
-        for (const dmx::LostUniverse& one : statistics.lost) {
-            if (one.black != black || one.ended != ended ||
-                (!patch.universes().empty() && !patch.has(one.universe)))
-                continue;
-            if (is_blind(statistics, one.universe)) continue; // add_ignored says so
-            universes.insert(one.universe);
-            longest = std::max(longest, one.since);
-            silent = std::max(silent, one.silent);
-            interfaces.insert(one.interface_index);
-            senders.insert(one.from);
-        }
-        if (universes.empty()) continue;
-        const std::string links = links_text(statistics, silent, interfaces);
-        const std::string heard = heard_text(statistics, senders);
-        const bool bare = std::any_of(universes.begin(), universes.end(),
-                                      [&](int universe) { return is_without_levels(statistics, universe); });
-        out.push_back(problem(
-            Trouble::lost,
-            "nothing comes for " + universes_text(universes) + " any more, since " + seconds_text(longest) +
-                ": " + (black ? "black (--on-loss)" : "the last look is held") +
-                (bare                 ? ". Packets still come, without levels" + empty_text(statistics, patch)
-                 : ended              ? ". Its desk said that it ends this stream: its output was switched "
-                                        "off, or its program closed"
-                 : !links.empty()     ? links
-                 : !heard.empty()     ? heard
-                 : unreadable.empty() ? ". Its desk has stopped, sends elsewhere now (another universe or "
-                                        "machine) or less often than every 2.5 s (sACN) or 10 s (Art-Net), "
-                                        "or something on the way lets nothing through any more: a cable, a "
-                                        "firewall, or a switch that prunes multicast after minutes (IGMP "
-                                        "snooping without a querier)"
-                                      : ". Packets arrive that cannot be read (" + unreadable +
-                                            "): if they are its desk's, that has to be mended"),
-            universes));
+    };
+    std::vector<dmx::LostUniverse> lost = statistics.lost;
+    std::stable_sort(lost.begin(), lost.end(),
+                     [](const auto& a, const auto& b) { return a.since > b.since; });
+    std::map<std::pair<bool, std::string>, std::vector<Lost>> alike; // black, and why
+    for (const dmx::LostUniverse& one : lost) {
+        if (!patch.universes().empty() && !patch.has(one.universe)) continue;
+        if (is_blind(statistics, one.universe)) continue; // add_ignored says so
+        std::vector<Lost>& times = alike[{one.black, why_lost(statistics, patch, one)}];
+        if (times.empty() || times.back().since - one.since > kTogether) times.push_back({one.since, {}});
+        times.back().universes.insert(one.universe);
     }
+    for (const auto& [how, times] : alike)
+        for (const Lost& one : times)
+            out.push_back(problem(Trouble::lost,
+                                  "nothing comes for " + universes_text(one.universes) + " any more, since " +
+                                      seconds_text(one.since) + ": " +
+                                      (how.first ? "black (--on-loss)" : "the last look is held") +
+                                      how.second,
+                                  one.universes));
 }
 
 } // namespace ghost::scene::diagnosed

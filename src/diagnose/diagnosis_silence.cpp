@@ -90,9 +90,16 @@ std::string interface_text(const dmx::Statistics& statistics, unsigned index) {
 
 void add_wrong_interface(const dmx::Statistics& statistics, const Arriving& arriving, const PatchMap& patch,
                          Sentences& out) {
+    const auto is_missed = [&](const dmx::ElsewhereUniverse& one) {
+        return !arriving.has(one.universe) && (patch.universes().empty() || patch.has(one.universe));
+    };
+    // Another universe of our desk is told of where nothing else is known.
+    const bool any =
+        arriving.nothing() && statistics.lost.empty() &&
+        std::none_of(statistics.elsewhere_universes.begin(), statistics.elsewhere_universes.end(), is_missed);
     std::map<std::pair<unsigned, std::string>, std::set<int>> elsewhere; // by interface and who
     for (const dmx::ElsewhereUniverse& one : statistics.elsewhere_universes)
-        if (!arriving.has(one.universe) && (patch.universes().empty() || patch.has(one.universe)))
+        if (any || is_missed(one))
             elsewhere[{one.interface_index, source_text(one.name, dmx::address_text(one.from), one.protocol)}]
                 .insert(one.universe);
     for (const auto& [key, universes] : elsewhere) {

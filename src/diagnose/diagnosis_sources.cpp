@@ -6,6 +6,7 @@
 #include "dmx/wire/timecode.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <tuple>
 
@@ -75,18 +76,24 @@ std::string joined(const std::set<std::string>& names) {
 
 void add_too_many(const dmx::Statistics& statistics, Sentences& out) {
     for (const auto protocol : {dmx::Protocol::artnet, dmx::Protocol::sacn}) {
-        std::map<std::set<int>, std::set<std::string>> by_universes;
-        std::map<std::string, std::set<int>> by_source;
+        using Holders = std::string;
+        std::map<std::pair<std::set<int>, Holders>, std::set<std::string>> by_universes;
+        std::map<std::pair<std::string, Holders>, std::set<int>> by_source;
         for (const dmx::IgnoredSource& one : statistics.ignored)
             if (one.why == dmx::IgnoredSource::Why::too_many && one.protocol == protocol)
-                by_source[source_text(one.name, dmx::address_text(one.from), protocol)].insert(one.universe);
-        for (const auto& [who, universes] : by_source) by_universes[universes].insert(who);
-        for (const auto& [universes, who] : by_universes) {
+                by_source[{source_text(one.name, dmx::address_text(one.from), protocol),
+                           protocol == dmx::Protocol::artnet ? artnet_holders_text(statistics, one.universe)
+                                                             : ""}]
+                    .insert(one.universe);
+        for (const auto& [who, universes] : by_source)
+            by_universes[{universes, who.second}].insert(who.first);
+        for (const auto& [where, who] : by_universes) {
+            const auto& [universes, holders] = where;
             const std::string is =
                 who.size() == 1 ? " is one source too many on " : " are too many sources on ";
             const std::string rule =
                 protocol == dmx::Protocol::artnet
-                    ? " and ignored: Art-Net merges two" + artnet_holders_text(statistics, *universes.begin())
+                    ? " and ignored: Art-Net merges two" + holders
                     : " and ignored: " + std::to_string(dmx::kMaxSourcesPerUniverse) +
                           " are merged, those of the highest priority and of these the longest known";
             out.push_back(
@@ -95,16 +102,29 @@ void add_too_many(const dmx::Statistics& statistics, Sentences& out) {
     }
 }
 
-// The source that ranks highest on a universe; null: none holds a slot.
-// Of those that rank higher somewhere, the one that holds most.
+// Of the slots that a source sends, how many another one ranks higher on.
+std::size_t outranked_by(const dmx::SourceStatus& other, const dmx::SourceStatus& source) {
+    if (!other.slots || !source.slots)
+        return source.slots_held == 0 || other.highest_priority > source.highest_priority ? 1 : 0;
+    std::size_t count = 0;
+    for (std::size_t slot = 0; slot < source.slot_count; ++slot)
+        count += other.slots->rank[slot] > source.slots->rank[slot] ? 1 : 0;
+    return count;
+}
+
+// Of those that rank higher where it sends, the one that does on most slots, of equal ones the highest; null:
+// none does.
 const dmx::SourceStatus* winner_of(const std::vector<dmx::SourceStatus>& sources,
                                    const dmx::SourceStatus& loser) {
     const dmx::SourceStatus* best = nullptr;
-    for (const dmx::SourceStatus& one : sources)
-        if (one.universe == loser.universe && &one != &loser && one.slots_held > 0 &&
-            (loser.slots_held == 0 || one.highest_priority > loser.highest_priority) &&
-            (!best || one.slots_held > best->slots_held))
-            best = &one;
+    std::pair<std::size_t, int> most;
+    for (const dmx::SourceStatus& one : sources) {
+        if (one.universe != loser.universe || &one == &loser || one.slots_held == 0) continue;
+        const std::pair<std::size_t, int> here(outranked_by(one, loser), one.highest_priority);
+        if (here.first == 0 || (best && here <= most)) continue;
+        best = &one;
+        most = here;
+    }
     return best;
 }
 
@@ -115,13 +135,18 @@ std::string ranked_text(const dmx::SourceStatus& source) {
            " at most, one for each address)";
 }
 
-// Every dimmer that is patched on its universe stays at 0, not all that it sends; a chase passes through 0.
+// Every dimmer that is patched on its universe, and that it does not give away, stays at 0, not all that it
+// sends; a chase passes through 0.
 bool dimmers_are_down(const dmx::SourceStatus& source, const PatchMap& patch) {
-    const std::vector<int> dimmers = patch.dimmers(source.universe);
-    return source.slots && !dimmers.empty() && std::all_of(dimmers.begin(), dimmers.end(), [&](int address) {
-               const auto slot = static_cast<std::size_t>(address - 1);
-               return source.slots->levels[slot] == 0 && source.slots->stands[slot];
-           });
+    if (!source.slots) return false;
+    std::vector<int> dimmers = patch.dimmers(source.universe);
+    std::erase_if(dimmers, [&](int address) {
+        return source.per_address_priority && source.slots->rank[static_cast<std::size_t>(address - 1)] == 0;
+    });
+    return !dimmers.empty() && std::all_of(dimmers.begin(), dimmers.end(), [&](int address) {
+        const auto slot = static_cast<std::size_t>(address - 1);
+        return source.slots->levels[slot] == 0 && source.slots->stands[slot];
+    });
 }
 
 // ", and sends 0 alone" where that hides a look; else "".
@@ -264,6 +289,7 @@ void add_two_desks(const dmx::Statistics& statistics, const PatchMap& patch, Sen
         if (source.state == dmx::SourceState::live && source.slots_held > 0)
             by_universe[source.universe].push_back(&source);
     struct Fight {
+        std::string who; // as they are now
         std::set<int> universes;
         std::size_t channels = 0, shared = 0;
         bool contested = false; // channels that more than one sends above 0
@@ -273,11 +299,12 @@ void add_two_desks(const dmx::Statistics& statistics, const PatchMap& patch, Sen
         std::size_t raised = 0;     // by these, of lamps that others light
         std::string hint;
     };
-    std::map<std::string, Fight> fights; // by who
+    // By who, and who of them is dark: rates flicker.
+    std::map<std::array<std::set<std::string>, 3>, Fight> fights;
     for (const auto& [universe, sources] : by_universe) {
         std::size_t differ = 0, shared = 0, meet = 0;
         bool all_artnet = true, contested = false;
-        std::set<std::string> who, dark, down;
+        std::set<std::string> who, names, dark, down;
         std::size_t all_down = 0, raised = 0;
         std::set<int> ranks; // of those that do not have their way: whom they meet has the same
         for (const dmx::SourceStatus* source : sources)
@@ -289,6 +316,7 @@ void add_two_desks(const dmx::Statistics& statistics, const PatchMap& patch, Sen
             contested |= source->slots_contested > 0;
             all_artnet &= source->protocol == dmx::Protocol::artnet;
             who.insert(sends_text(*source, sources));
+            names.insert(apart_text(*source, sources));
             if (source->is_dark)
                 dark.insert(apart_text(*source, sources));
             else if (dimmers_are_down(*source, patch)) {
@@ -300,24 +328,28 @@ void add_two_desks(const dmx::Statistics& statistics, const PatchMap& patch, Sen
             ++meet;
         }
         if (differ + shared == 0 || meet < 2) continue;
-        Fight& fight = fights[joined(who)];
+        if (all_down == meet) down.clear();
+        Fight& fight = fights[{names, dark, down}];
+        if (fight.universes.empty()) fight.who = joined(who);
         fight.universes.insert(universe);
         fight.channels = std::max(fight.channels, differ);
         fight.shared = std::max(fight.shared, shared);
         fight.contested |= contested;
         fight.raised = std::max(fight.raised, raised);
-        fight.dark.insert(dark.begin(), dark.end());
-        if (all_down < meet) fight.down.insert(down.begin(), down.end());
+        fight.dark = dark;
+        fight.down = down;
         fight.hint = one_machine_text(sources);
-        fight.merge = all_artnet && statistics.listening.artnet_ltp
-                          ? "whoever changed a channel last has it (LTP, --artnet-merge)"
-                          : "of each channel the higher level shows (HTP)";
+        fight.merge =
+            all_artnet && statistics.listening.artnet_ltp
+                ? "whoever changed a channel last has it (LTP, --artnet-merge)"
+            : all_artnet ? "of each channel the higher level shows (HTP; Art-Net has no priorities, sACN has)"
+                         : "of each channel the higher level shows (HTP)";
     }
-    for (const auto& [who, fight] : fights) {
+    for (const auto& [key, fight] : fights) {
         const bool is_shared = fight.shared > 0 && !fight.contested;
         const std::string text =
             universes_text(fight.universes) + (fight.universes.size() == 1 ? " comes" : " come") +
-            " from more than one source of equal priority, " + who + ", and they " +
+            " from more than one source of equal priority, " + fight.who + ", and they " +
             (is_shared ? "have up to " + count_text(fight.shared, "channel") + " up at different times: "
                        : "differ on up to " + count_text(fight.channels, "channel") + ": ") +
             fight.merge +
@@ -400,7 +432,10 @@ void add_timecodes(const dmx::Statistics& statistics, Sentences& out) {
         kSame_s)
         return;
     // By which came first in the alphabet, so that the sentence stands still.
-    std::set<std::string> both = {dmx::address_text(newest->from), dmx::address_text(other->from)};
+    const bool one_machine = newest->from == other->from;
+    std::set<std::string> both;
+    for (const auto& one : {newest, other})
+        both.insert(dmx::address_text(one->from) + (one_machine ? ":" + std::to_string(one->from_port) : ""));
     out.push_back(
         note(Trouble::two_timecodes, "two Art-Net time codes run, of " + joined(both) +
                                          ": what follows the time code jumps from one to the other"));

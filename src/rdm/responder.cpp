@@ -311,7 +311,8 @@ std::optional<Nack> Responder::set(const Message& message, const Wants& wants) {
         return Nack::unsupported_command;
     }
     if (const auto why = wants(change)) return why;
-    // Who asked need not be told by the queue as well.
+    // Who asked need not be told by the queue as well, and what waits there is the value before.
+    std::erase_if(queue_, [&](const Message& one) { return one.pid == message.pid; });
     switch (change.what) {
     case Change::What::start_address:
         device_.start_address = change.number;

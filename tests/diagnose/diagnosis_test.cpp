@@ -174,6 +174,38 @@ TEST(diagnosis, OffByOne) {
     EXPECT_FALSE(shared.sentences()[0].is_problem);
 }
 
+// What would bring one together and the rest apart, and what lies further away.
+TEST(diagnosis, WhatLooksLikeOffByOne) {
+    Network part = Network({1, 2, 3, 4}).sends({2, 3, 4, 5, 6, 7, 8});
+    EXPECT_EQ(part.troubles(), (Troubles{Trouble::off_by_one, Trouble::not_received, Trouble::not_patched}));
+    expect_words(part.text(Trouble::off_by_one),
+                 {"sACN comes for universes 2-8", "either nothing is sent for universe 1 or it does not",
+                  "or all of them are one off: then move the desk's output"});
+    part.statistics.lost = {{1, false, 12s}};
+    EXPECT_EQ(part.troubles(), (Troubles{Trouble::not_patched, Trouble::lost})) << "it was there";
+    const Network four = Network({1, 2, 3, 4}).sends({5, 6, 7, 8}, dmx::Protocol::artnet);
+    EXPECT_EQ(four.troubles(), (Troubles{Trouble::not_received, Trouble::not_patched}));
+    expect_words(four.text(Trouble::not_patched),
+                 {"packets for universes 5-8", "the show wants universes 1-4"});
+    const Network ten = Network({11, 12, 13}).sends({1, 2, 3, 4, 5, 6, 7, 8, 9, 10});
+    EXPECT_EQ(ten.troubles(), (Troubles{Trouble::not_received, Trouble::not_patched}));
+    const Network hall = Network({1}).sends({2, 100});
+    EXPECT_EQ(hall.troubles(), (Troubles{Trouble::off_by_one, Trouble::not_patched}));
+    expect_words(hall.text(Trouble::not_patched), {"universe 100"});
+}
+
+TEST(diagnosis, NumbersInAnotherOrder) {
+    const auto said = [](std::initializer_list<int> patch, std::initializer_list<int> sent) {
+        return Network(patch).sends(sent, dmx::Protocol::artnet).text(Trouble::not_patched);
+    };
+    // Net 1, Sub-Net 0, Universe 0 is universe 257.
+    expect_words(said({257, 258, 259, 260}, {1, 2, 3, 4}),
+                 {"Net:Sub-Net:Universe 0:0:0, the show wants 1:0:0: another Net"});
+    expect_words(said({18}, {34}), {"0:2:1, the show wants 0:1:1: another Sub-Net"});
+    const std::string mixed = said({2, 257}, {17, 40}); // 17 is 0:1:0, of which 2 alone is an exchange
+    EXPECT_EQ(mixed.find("Net:Sub-Net"), std::string::npos) << mixed;
+}
+
 // Multicast of universes that nobody patched is not joined: what a source says it sends will do.
 TEST(diagnosis, OffByOneByTheListOfASource) {
     Network network({1, 2});
@@ -238,17 +270,35 @@ TEST(diagnosis, ALostUniverse) {
     network.statistics.lost = {{3, true, 70s}};
     expect_words(network.text(Trouble::lost), {"black", "70 s"});
     EXPECT_EQ(network.text(Trouble::lost).find("heard all the while"), std::string::npos);
-    const dmx::IpAddress desk(0x0A000007);
-    network.statistics.lost = {{3, false, 12s, false, 16s, 0, desk}};
+    network.statistics.sources[0].id = "desk";
+    network.statistics.lost = {{3, false, 12s, false, 16s, 0, "another"}};
     expect_words(network.text(Trouble::lost), {"Its desk has stopped", "less often"});
-    network.statistics.sources[0].from = desk;
+    network.statistics.lost = {{3, false, 12s, false, 16s, 0, "desk"}};
     expect_words(network.text(Trouble::lost), {"is heard all the while, with universe 4", "IGMP snooping"});
-    network.statistics.sources[0].from = {}; // two widgets, of which one is silent
+    network.statistics.sources[0].id.clear(); // nobody told whose it was
     network.statistics.lost = {{3, false, 12s}};
     EXPECT_EQ(network.text(Trouble::lost).find("heard all the while"), std::string::npos);
     Network all({3});
     all.statistics.lost = {{3, false, 12s}};
     EXPECT_EQ(all.troubles(), Troubles{Trouble::lost});
+}
+
+// Each with its own time and reason.
+TEST(diagnosis, UniversesThatAreLostOneAfterTheOther) {
+    Network network({1, 2, 3, 4});
+    network.sends({4});
+    network.statistics.sources[0].id = "desk";
+    network.statistics.lost = {{1, false, 22s, false, 24s, 0, "another"},
+                               {2, false, 5s, false, 7s, 0, "another"},
+                               {3, false, 21s, false, 23s, 0, "desk"}};
+    EXPECT_EQ(network.troubles(), (Troubles{Trouble::lost, Trouble::lost, Trouble::lost}));
+    std::map<std::set<int>, std::string> said;
+    for (const Sentence& sentence : network.sentences()) said[sentence.universes] = sentence.text;
+    expect_words(said[{1}], {"universe 1 any more, since 22 s", "Its desk has stopped"});
+    expect_words(said[{2}], {"universe 2 any more, since 5 s", "Its desk has stopped"});
+    expect_words(said[{3}], {"universe 3 any more, since 21 s", "heard all the while, with universe 4"});
+    network.statistics.lost[1].since = 21s;
+    EXPECT_EQ(network.troubles(), (Troubles{Trouble::lost, Trouble::lost})) << "one cable, one sentence";
 }
 
 TEST(diagnosis, ADeskThatHasJustFallenSilentIsNotNothing) {
@@ -304,6 +354,12 @@ TEST(diagnosis, TheWrongInterface) {
                   "--interface eth1"});
     network.sends({1, 2});
     EXPECT_EQ(network.troubles(), Troubles{}) << "it comes by both";
+    Network other({5});
+    other.statistics.listening.interface = "eth0";
+    other.statistics.interfaces = network.statistics.interfaces;
+    other.statistics.elsewhere_universes = network.statistics.elsewhere_universes;
+    expect_words(other.text(Trouble::wrong_interface), {"'FOH' (10.0.0.7) sends universes 1-2, 9", "eth1"});
+    EXPECT_EQ(other.text(Trouble::nothing_arrives), "not said") << "packets do come";
 }
 
 TEST(diagnosis, WhatASourceAnnouncesAndDoesNotArrive) {
@@ -352,7 +408,7 @@ TEST(diagnosis, TheBytesOfAUniverseInAnotherOrder) {
     EXPECT_EQ(network.text(Trouble::held_back), "not said") << "no switch holds what comes";
     expect_words(network.text(Trouble::not_patched),
                  {"the show wants universe 1", "256 is 1 with its two bytes exchanged"});
-    expect_words(network.text(Trouble::wrong_group), {"are used as those of universe 256"});
+    EXPECT_EQ(network.text(Trouble::wrong_group), "not said") << "of a universe that nobody patched";
     network.statistics.discovered.clear();
     expect_words(network.text(Trouble::not_patched),
                  {"256 is 1 with its two bytes exchanged: if that is meant", "another system's"});

@@ -253,7 +253,7 @@ void Merge::feed(const Packet& packet, std::chrono::nanoseconds now) {
     if (packet.start_code == 0) {
         input.arrival = std::max(input.arrival, now);
         input.interface_index = packet.interface_index;
-        input.from = packet.from;
+        input.source = packet.source;
     }
     if (hold) return;
     mark(packet.universe, input);
@@ -478,7 +478,7 @@ std::vector<LostUniverse> Merge::lost(std::chrono::nanoseconds now) const {
     for (const auto& [number, input] : inputs_)
         if (input.lost_since)
             result.push_back({number, input.black_due, now - *input.lost_since, input.ended,
-                              now - input.arrival, input.interface_index, input.from});
+                              now - input.arrival, input.interface_index, source_id(input.source)});
     return result;
 }
 

@@ -132,7 +132,7 @@ private:
         std::vector<LevelSource> sources;
         std::chrono::nanoseconds arrival{0};
         unsigned interface_index = 0;      // by which levels came last
-        IpAddress from;                    // of whom
+        SourceKey source;                  // of whom
         std::chrono::nanoseconds heard{0}; // newest packet of a source that has a place
         std::optional<std::chrono::nanoseconds> lost_since;
         bool ended = false;     // the last source that left said goodbye

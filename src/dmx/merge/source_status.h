@@ -50,7 +50,7 @@ struct LostUniverse {
     bool ended = false;                 // its last source said goodbye
     std::chrono::nanoseconds silent{0}; // since its newest levels
     unsigned interface_index = 0;       // that these came by; 0: not told
-    IpAddress from;                     // who sent these
+    std::string source;                 // that sent these: SourceStatus::id; empty: not told
 };
 
 struct SourceStatus {

@@ -4,12 +4,14 @@
 #include "dmx/wire/build.h"
 
 #include <algorithm>
+#include <tuple>
 
 namespace ghost::dmx {
 
 namespace {
 
 constexpr std::chrono::seconds kUnlistedForgotten{10};
+constexpr std::chrono::seconds kSenderForgotten{3}; // of one that others send, too
 
 template <class T>
 void remember(std::vector<T>& list, T entry) {
@@ -35,6 +37,7 @@ void Intake::listen_to(std::vector<std::uint16_t> universes) {
     if (!options_.universes.empty() && !options_.accept_others) merge_.keep_only(options_.universes);
     merge_.ask_for(options_.universes);
     std::erase_if(unlisted_, [&](const auto& entry) { return accepts(entry.first.first); });
+    std::erase_if(tellers_, [&](const auto& entry) { return !unlisted_.contains(entry.first); });
 }
 
 void Intake::take_levels(Packet& packet, const Arrival& arrival) {
@@ -47,8 +50,16 @@ void Intake::take_levels(Packet& packet, const Arrival& arrival) {
         UnlistedUniverse& entry = place == unlisted_.end() ? unlisted_[key] : place->second;
         entry.universe = packet.universe;
         entry.protocol = packet.protocol;
-        entry.name = packet.source_name;
-        entry.from = packet.from;
+        Teller& teller = tellers_[key];
+        const auto sender = std::tie(packet.source_name, packet.from);
+        const auto named = std::tie(entry.name, entry.from);
+        if (entry.packets > 0 && sender != named) teller.other = arrival.time;
+        if (entry.packets == 0 || sender <= named || arrival.time - teller.named > kSenderForgotten) {
+            entry.name = packet.source_name;
+            entry.from = packet.from;
+            teller.named = arrival.time;
+        }
+        entry.has_others = teller.other && arrival.time - *teller.other <= kSenderForgotten;
         entry.age = arrival.time;
         ++entry.packets;
         return;
@@ -88,10 +99,11 @@ std::optional<PollPacket> Intake::take(Bytes bytes, const Arrival& arrival) {
         (sacn ? discovery_ : nodes_).feed(*discovery, arrival.time);
     } else if (const auto* time = std::get_if<TimeCode>(&parsed)) {
         const std::uint64_t packets = counted_.timecode ? counted_.timecode->packets : 0;
-        counted_.timecode = {*time, arrival.from, packets + 1, arrival.time};
+        counted_.timecode = {*time, arrival.from, arrival.from_port, packets + 1, arrival.time};
         if (time->stream == 0) {
             auto& [newest, other] = counted_.followed_timecodes;
-            if (newest && newest->from != arrival.from) other = newest;
+            if (newest && (newest->from != arrival.from || newest->from_port != arrival.from_port))
+                other = newest;
             newest = counted_.timecode;
         }
         if (options_.on_timecode) options_.on_timecode(*time, arrival.time);
@@ -111,8 +123,17 @@ void Intake::take_elsewhere(Bytes bytes, const Arrival& arrival) {
     if (!packet || packet->terminated) return;
     const auto key = std::make_tuple(arrival.interface_index, packet->universe, packet->protocol);
     const auto place = elsewhere_.find(key);
-    if (place == elsewhere_.end() && elsewhere_.size() >= kMaxUnlisted) return;
-    ElsewhereUniverse& entry = place == elsewhere_.end() ? elsewhere_[key] : place->second;
+    if (place == elsewhere_.end() && elsewhere_.size() >= kMaxUnlisted) {
+        // What somebody waits for finds a place.
+        const auto is_wanted = [&](std::uint16_t universe) {
+            return std::binary_search(options_.universes.begin(), options_.universes.end(), universe);
+        };
+        const auto other = std::find_if(elsewhere_.begin(), elsewhere_.end(),
+                                        [&](const auto& entry) { return !is_wanted(entry.second.universe); });
+        if (!is_wanted(packet->universe) || other == elsewhere_.end()) return;
+        elsewhere_.erase(other);
+    }
+    ElsewhereUniverse& entry = elsewhere_[key];
     const std::uint64_t packets = entry.packets + 1;
     entry = {arrival.interface_index,
              packet->universe,
@@ -128,6 +149,7 @@ void Intake::tick(std::chrono::nanoseconds now) {
     discovery_.tick(now);
     nodes_.tick(now);
     std::erase_if(unlisted_, [&](const auto& entry) { return now - entry.second.age > kUnlistedForgotten; });
+    std::erase_if(tellers_, [&](const auto& entry) { return !unlisted_.contains(entry.first); });
     std::erase_if(elsewhere_, [&](const auto& entry) { return now - entry.second.age > kUnlistedForgotten; });
 }
 

@@ -66,6 +66,12 @@ private:
     Discovery discovery_, nodes_;                                             // of sACN, of Art-Net
     Statistics counted_;                                                      // the counters of packets
     std::map<std::pair<std::uint16_t, Protocol>, UnlistedUniverse> unlisted_; // age: arrival
+    // When the sender that unlisted_ names was heard last, and another one.
+    struct Teller {
+        std::chrono::nanoseconds named{0};
+        std::optional<std::chrono::nanoseconds> other;
+    };
+    std::map<std::pair<std::uint16_t, Protocol>, Teller> tellers_;
     std::map<std::tuple<unsigned, std::uint16_t, Protocol>, ElsewhereUniverse> elsewhere_; // age: arrival
 };
 

@@ -36,10 +36,11 @@ struct SocketStatus {
 struct UnlistedUniverse {
     std::uint16_t universe = 0;
     Protocol protocol = Protocol::sacn;
-    IpAddress from; // of the newest packet
+    IpAddress from; // of its sender, of several the first by name and address
     std::uint64_t packets = 0;
     std::chrono::nanoseconds age{0};
-    std::string name; // of sACN
+    std::string name;        // of sACN
+    bool has_others = false; // several send it
 };
 
 // A universe that comes in by an interface that we were told not to listen to.
@@ -86,6 +87,7 @@ struct RecentLoss {
 struct TimeCodeStatus {
     TimeCode time;
     IpAddress from;
+    std::uint16_t from_port = 0;
     std::uint64_t packets = 0;
     std::chrono::nanoseconds arrival{0};
 };

@@ -70,6 +70,10 @@ constexpr const char* kParts[] = {
                       "%1 are merged, those of the highest priority and of these the longest known"),
     QT_TRANSLATE_NOOP("Sentence", "whoever changed a channel last has it (LTP, --artnet-merge)"),
     QT_TRANSLATE_NOOP("Sentence", "of each channel the higher level shows (HTP)"),
+    QT_TRANSLATE_NOOP("Sentence",
+                      "of each channel the higher level shows (HTP; Art-Net has no priorities, sACN has)"),
+    QT_TRANSLATE_NOOP("Sentence", "either nothing is sent for %1 or it does not get here, or all of them are "
+                                  "one off: then %2"),
     // channels of a fixture
     QT_TRANSLATE_NOOP("Sentence", "channel %1"),
     QT_TRANSLATE_NOOP("Sentence", "%1, channel %2"),

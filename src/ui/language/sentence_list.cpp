@@ -258,6 +258,10 @@ constexpr const char* kSentences[] = {
         "off by one? %1 is announced for %2 (from Port-Address %3 on) by %4, fixtures are on %5: %6"),
     QT_TRANSLATE_NOOP("Sentence", "%1; in Art-Net that is Net:Sub-Net:Universe %2, the show wants %3: the "
                                   "same numbers in another order"),
+    QT_TRANSLATE_NOOP("Sentence",
+                      "%1; in Art-Net that is Net:Sub-Net:Universe %2, the show wants %3: another Net"),
+    QT_TRANSLATE_NOOP("Sentence",
+                      "%1; in Art-Net that is Net:Sub-Net:Universe %2, the show wants %3: another Sub-Net"),
     QT_TRANSLATE_NOOP("Sentence", "%1, nothing is patched there; the show wants %2"),
     QT_TRANSLATE_NOOP("Sentence", "%1, nothing is patched there"),
     QT_TRANSLATE_NOOP(
