@@ -4185,8 +4185,8 @@ Bitte den Namen des Ordners prüfen.</translation>
         <translation>%1 kommen von mehr als einer Quelle gleicher Priorität, %2, und sie unterscheiden sich um bis zu %3: %4. %5 hat alle Dimmer auf 0 und hebt bis zu %6 von Lampen an, die andere leuchten lassen: ein geschlossener Shutter oder eine Farbe darunter nähme das Licht weg. Wenn sie sich das nicht teilen sollen, eine abschalten oder der Reserve eine niedrigere Priorität geben</translation>
     </message>
     <message>
-        <source>%1; '%2' begins on %3 and runs past channel 512, where desks end a universe: is its address right?</source>
-        <translation>%1; '%2' beginnt auf %3 und läuft über Kanal 512 hinaus, wo Pulte ein Universum beenden: stimmt seine Adresse?</translation>
+        <source>%1; &apos;%2&apos; begins on %3 and runs past channel 512, where desks end a universe: is its address right?</source>
+        <translation>%1; &apos;%2&apos; beginnt auf %3 und läuft über Kanal 512 hinaus, wo Pulte ein Universum beenden: stimmt seine Adresse?</translation>
     </message>
     <message>
         <source>in the numbers of the last seconds %1 packets are missing: lost by a cable, a switch, Wi-Fi or a firewall that lets only some through, or left out by a sender that skips numbers</source>
@@ -6499,6 +6499,30 @@ Bitte den Namen des Ordners prüfen.</translation>
     <message>
         <source>%1 x other optics %2</source>
         <translation>%1 × übrige Optik %2</translation>
+    </message>
+    <message>
+        <source>of each channel the higher level shows (HTP; Art-Net has no priorities, sACN has)</source>
+        <translation>von jedem Kanal gilt der höhere Wert (HTP; Art-Net hat keine Prioritäten, sACN hat welche)</translation>
+    </message>
+    <message>
+        <source>either nothing is sent for %1 or it does not get here, or all of them are one off: then %2</source>
+        <translation>entweder wird für %1 nichts gesendet, oder es kommt nicht an, oder alle sind um eins verschoben: dann %2</translation>
+    </message>
+    <message>
+        <source>%1; in Art-Net that is Net:Sub-Net:Universe %2, the show wants %3: another Net</source>
+        <translation>%1; in Art-Net ist das Net:Sub-Net:Universe %2, die Show will %3: ein anderes Net</translation>
+    </message>
+    <message>
+        <source>%1; in Art-Net that is Net:Sub-Net:Universe %2, the show wants %3: another Sub-Net</source>
+        <translation>%1; in Art-Net ist das Net:Sub-Net:Universe %2, die Show will %3: ein anderes Sub-Net</translation>
+    </message>
+    <message>
+        <source>it is told to reset itself: function %1 on %2, value %3 (in the picture it does not)</source>
+        <translation>es soll sich zurücksetzen (Reset): Funktion %1 auf %2, Wert %3 (im Bild tut es das nicht)</translation>
+    </message>
+    <message>
+        <source>they are told to reset themselves</source>
+        <translation>sie sollen sich zurücksetzen (Reset)</translation>
     </message>
 </context>
 <context>

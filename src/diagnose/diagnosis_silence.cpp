@@ -108,7 +108,7 @@ void add_wrong_interface(const dmx::Statistics& statistics, const Arriving& arri
                               key.second + " sends " + universes_text(universes) + ", but it comes in on " +
                                   name + ", and we listen on " + addresses_text(statistics) +
                                   " only: start with --interface " + name + ", or without --interface",
-                              universes));
+                              any ? numbers_of(patch) : universes));
     }
 }
 

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <functional>
 #include <optional>
 
@@ -282,6 +283,14 @@ void add_zoom_findings(const Beam& beam, const fixture::Type& type, const fixtur
                         "their zoom gives no beam", zooms, 1.0f});
 }
 
+// Of a range that has names for its parts these tell what is meant: one of "Control and reset" is idle.
+bool says_reset(const ChannelFacts& channel) {
+    const std::string said = lower(channel.set.empty() ? channel.function : channel.set);
+    const std::size_t at = said.find("reset");
+    return at != std::string::npos && said.find("no reset") == std::string::npos &&
+           (at == 0 || std::isalpha(static_cast<unsigned char>(said[at - 1])) == 0);
+}
+
 // A lamp that does not burn, and a channel that says so.
 void add_lamp_findings(const Beam& beam, const BeamFacts& facts, std::vector<Reason>& findings) {
     if (!(facts.full_lm > 0.0f))
@@ -293,6 +302,15 @@ void add_lamp_findings(const Beam& beam, const BeamFacts& facts, std::vector<Rea
         const ChannelFacts& channel = beam.channels[i];
         if (channel.role != Role::none && channel.role != Role::lamp) continue;
         const std::string said = lower(channel.function + " " + channel.set);
+        if (channel.role == Role::none && says_reset(channel))
+            findings.push_back({Cause::lamp,
+                                false,
+                                "it is told to reset itself: function " + function_text(channel) + " on " +
+                                    place_text(channel) + ", value " + channel.value +
+                                    " (in the picture it does not)",
+                                "they are told to reset themselves",
+                                {static_cast<int>(i)},
+                                1.0f});
         if (said.find("lamp off") == std::string::npos && said.find("lampoff") == std::string::npos) continue;
         said_off = true;
         findings.push_back({Cause::lamp,

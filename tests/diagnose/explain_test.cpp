@@ -305,7 +305,7 @@ TEST(explain, LampOffAndLampOfNoLumens) {
     const string control =
         channel("2", "Control1",
                 function("Nothing", "Control1", 0, 0, 1) + function("Lamp off", "Control1", 165, 0, 1) +
-                    function("Reserved", "Control1", 172, 0, 1));
+                    function("Reserved", "Control1", 172, 0, 1) + function("Reset", "Control1", 200, 0, 1));
     Trial trial(type_of(kDimmer + control));
     const Explanation told = trial.set(1, 255).set(2, 168).explain();
     ASSERT_TRUE(find(told, Cause::lamp));
@@ -314,6 +314,11 @@ TEST(explain, LampOffAndLampOfNoLumens) {
                               "(1.2), value 168"),
               string::npos);
     EXPECT_EQ(find(trial.set(2, 0).explain(), Cause::lamp), nullptr);
+    const Explanation reset = trial.set(2, 210).explain();
+    ASSERT_TRUE(find(reset, Cause::lamp));
+    EXPECT_FALSE(find(reset, Cause::lamp)->blocks);
+    EXPECT_NE(find(reset, Cause::lamp)->text.find("it is told to reset itself: function 'Reset'"),
+              string::npos);
     string unlit = kBeam;
     unlit.replace(unlit.find("10000"), 5, "0");
     expect(Trial(type_of(kDimmer, unlit)).set(1, 255).explain(), Visibility::dark, Cause::lamp, {"0 lumens"});

@@ -404,6 +404,11 @@ TEST(RdmConformance, what_somebody_else_changed_is_queued) {
     changed.start_address = 7;
     responder.update(changed);
     EXPECT_EQ(get(4).pid, static_cast<int>(Pid::status_messages));
+    // What somebody else had set before is no news any more.
+    changed.start_address = 200;
+    responder.update(changed);
+    (void)responder.take(ask(Command::set, Pid::dmx_start_address, {0, 77}), leave.wants(), kNow);
+    EXPECT_EQ(get(4).pid, static_cast<int>(Pid::status_messages));
 }
 
 TEST(RdmConformance, sensors_remember_their_extremes_until_they_are_reset) {

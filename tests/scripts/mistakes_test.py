@@ -32,7 +32,7 @@ ALIKE = {"cable", "output_off", "wrong_interface", "igmp", "sacn_one_off", "artn
          "sACN multicast", "QLC+, sACN multicast"}
 COMPARES_ALL = "--write" in sys.argv
 # What is true beside a finding, and red, too: a universe that comes elsewhere does not come here, channels that a desk gives away are its own.
-BESIDE = {"lost": {"not_patched"}, "not_patched": {"not_received", "nothing_arrives"}, "off_by_one": {"nothing_arrives"}, "port_shared": {"nothing_arrives"},
+BESIDE = {"lost": {"not_patched"}, "not_patched": {"not_received", "nothing_arrives"}, "off_by_one": {"nothing_arrives", "not_received", "not_patched"}, "port_shared": {"nothing_arrives"},
           "same_host": {"nothing_arrives", "port_shared"}, "explain:overridden": {"bad_priorities"}}
 LIMIT_S = 120  # for a sentence to come, on a machine that does other things, too
 WELL_S = 9  # in which nothing may be said; silence is told after 5

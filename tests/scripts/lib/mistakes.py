@@ -42,6 +42,11 @@ def with_levels(**changes):
     return {"send": [sacn(levels={**OPEN, **{int(key[1:]): value for key, value in changes.items()}})]}
 
 
+def on_universes(first, last):
+    """A Spot on the first, and one lamp on each of the others."""
+    return [("Spot" if universe == first else f"Lamp {universe}", universe, 1) for universe in range(first, last + 1)]
+
+
 SILENT = []
 MISTAKES = [
     # The cable and the network.
@@ -66,6 +71,8 @@ MISTAKES = [
      {"desk": ["addr add 10.77.0.1/24 dev br0"], "send": [artnet(to="10.93.0.2", bind="10.77.0.1")]}, "other_network", ["10.77.0.1", "another network"]),
     ("wrong_interface", "--interface names the wrong network card", {"options": ["--interface", "net1"]}, "wrong_interface",
      ["'Test desk' (10.93.0.1)", "net0", "--interface net0"]),
+    ("wrong_interface_and_universe", "the same, and the desk sends another universe than the show's", {"options": ["--interface", "net1"], "send": [artnet(1)]}, "wrong_interface",
+     ["10.93.0.1 (Art-Net) sends universe 2", "net0", "--interface net0"]),
     ("no_such_interface", "--interface is misspelt", {"options": ["--interface", "nte0"]}, "error:", ["no network interface 'nte0'", "net0"]),
     ("igmp", "a switch with IGMP snooping and no querier holds the universe's multicast back, its lists still come",
      {"send": [sacn(levels={}, announces=[1], silent=True)]}, "held_back", ["announces universe 1", "IGMP snooping", "unicast"]),
@@ -90,6 +97,14 @@ MISTAKES = [
     ("artnet_swapped", "Sub-Net and Universe exchanged", {"fixtures": [("Spot", 17, 1)], "send": [artnet(256)]}, "not_patched",
      ["1:0:0", "0:1:0", "another order"]),
     ("artnet_net", "Art-Net on Net 3", {"send": [artnet(0x300)]}, "not_patched", ["universe 769", "the show wants universe 1"]),
+    ("artnet_net_of_four", "the desk is on Net 0, the show on Net 1, four universes each", {"fixtures": on_universes(257, 260), "send": [artnet(k) for k in range(4)]},
+     "not_patched", ["Net:Sub-Net:Universe 0:0:0, the show wants 1:0:0: another Net"]),
+    ("four_off", "Art-Net on universes 5 to 8 instead of 1 to 4", {"fixtures": on_universes(1, 4), "send": [artnet(k) for k in range(4, 8)]}, "not_patched",
+     ["universes 5-8 arrive", "the show wants universes 1-4"]),
+    ("one_output_off", "a desk of eight universes does not send the first one", {"fixtures": on_universes(1, 4), "send": [sacn(k) for k in range(2, 9)]}, "off_by_one",
+     ["either nothing is sent for universe 1 or it does not get here", "or all of them are one off"]),
+    ("one_output_stops", "the same, and it did until now", {"once": True, "fixtures": on_universes(1, 4), "send": [sacn(stops_s=8)] + [sacn(k) for k in range(2, 9)]}, "lost",
+     ["nothing comes for universe 1 any more", "'Test desk' (10.93.0.1) is heard all the while"]),
     ("one_of_two", "only the first of two universes is sent", {"fixtures": [("Spot", 4, 1), ("Far", 9, 1)], "send": [sacn(9)]}, "not_received",
      ["1 fixture on universe 4", "'Spot'"]),
     # What the desk says.
@@ -113,6 +128,9 @@ MISTAKES = [
     ("out_of_step", "two desks of equal priority run one chase half a second apart",
      {"once": True, "patience_s": 20, "send": [sacn(levels={}, chases=[1, 2, 4, 12]), sacn(levels={}, chases=[1, 2, 4, 12], chase_begins=20, name="Second", cid=2)]}, "two_desks",
      ["'Test desk'", "'Second'", "4 channels up at different times", "it is out of step"]),
+    ("outranked_of_three", "of three desks the middle one is outranked by the highest, and the lowest alone sends all channels",
+     {"send": [sacn(priority=150, name="House", slots=100), sacn(name="Main", cid=2, slots=100), sacn(levels={1: 9}, priority=50, name="LX", cid=3)]}, "low_priority",
+     ["'Main' (10.93.0.1) (priority 100) is not shown", "'House' (10.93.0.1) (priority 150) has a higher priority"]),
     ("given_away", "a desk gives all channels away by priority per address, and nobody else sends them", {"send": [sacn(per_address=0)]},
      "bad_priorities", ["'Test desk' (10.93.0.1)", "22 of 22 patched channels on universe 1", "nobody else sends them"]),
     ("dark_above", "a desk of higher priority has all dimmers at 0 and hides the look",
