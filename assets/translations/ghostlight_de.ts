@@ -4197,8 +4197,8 @@ Bitte den Namen des Ordners prüfen.</translation>
         <translation>in den Nummern der letzten Sekunden fehlt %1 Paket: verloren durch ein Kabel, einen Switch, WLAN oder eine Firewall, die nur einige durchlässt, oder ausgelassen von einem Sender, der Nummern überspringt</translation>
     </message>
     <message>
-        <source>two Art-Net time codes run, of %1 and %2: what follows the time code jumps from one to the other</source>
-        <translation>zwei Art-Net-Timecodes laufen, von %1 und %2: was dem Timecode folgt, springt von einem zum anderen</translation>
+        <source>two Art-Net time codes run, of %1 and %2: the one that came first is followed until it is silent</source>
+        <translation>zwei Art-Net-Timecodes laufen, von %1 und %2: dem, der zuerst kam, wird gefolgt, bis er schweigt</translation>
     </message>
     <message>
         <source>no levels</source>

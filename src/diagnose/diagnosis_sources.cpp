@@ -419,7 +419,6 @@ void add_ranks(const dmx::Statistics& statistics, const PatchMap& patch, Sentenc
 
 namespace {
 
-// Whoever follows them jumps from one to the other.
 void add_timecodes(const dmx::Statistics& statistics, Sentences& out) {
     constexpr double kSame_s = 1; // two cards of one sender, two machines that follow one clock
     const auto& [newest, other] = statistics.followed_timecodes;
@@ -438,7 +437,7 @@ void add_timecodes(const dmx::Statistics& statistics, Sentences& out) {
         both.insert(dmx::address_text(one->from) + (one_machine ? ":" + std::to_string(one->from_port) : ""));
     out.push_back(
         note(Trouble::two_timecodes, "two Art-Net time codes run, of " + joined(both) +
-                                         ": what follows the time code jumps from one to the other"));
+                                         ": the one that came first is followed until it is silent"));
 }
 
 } // namespace

@@ -296,7 +296,7 @@ TEST(diagnosis, TwoTimeCodes) {
     EXPECT_EQ(network.troubles(), Troubles{}) << "both say the same: one sender with two cards";
     before->time.minutes = 3;
     ASSERT_EQ(network.troubles(), Troubles{Trouble::two_timecodes});
-    expect_words(network.text(Trouble::two_timecodes), {"192.168.1.7 and 192.168.1.8", "jumps"});
+    expect_words(network.text(Trouble::two_timecodes), {"192.168.1.7 and 192.168.1.8", "came first"});
     before->arrival -= 5s;
     EXPECT_EQ(network.troubles(), Troubles{}) << "it came before";
 }

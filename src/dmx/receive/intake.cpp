@@ -11,6 +11,7 @@ namespace ghost::dmx {
 namespace {
 
 constexpr std::chrono::seconds kUnlistedForgotten{10};
+constexpr std::chrono::seconds kTimecodeSilent{1};  // then another sender is followed
 constexpr std::chrono::seconds kSenderForgotten{3}; // of one that others send, too
 
 template <class T>
@@ -100,13 +101,20 @@ std::optional<PollPacket> Intake::take(Bytes bytes, const Arrival& arrival) {
     } else if (const auto* time = std::get_if<TimeCode>(&parsed)) {
         const std::uint64_t packets = counted_.timecode ? counted_.timecode->packets : 0;
         counted_.timecode = {*time, arrival.from, arrival.from_port, packets + 1, arrival.time};
-        if (time->stream == 0) {
-            auto& [newest, other] = counted_.followed_timecodes;
-            if (newest && (newest->from != arrival.from || newest->from_port != arrival.from_port))
-                other = newest;
-            newest = counted_.timecode;
+        if (time->stream != 0) {
+            if (options_.on_timecode) options_.on_timecode(*time, arrival.time);
+            return std::nullopt;
         }
-        if (options_.on_timecode) options_.on_timecode(*time, arrival.time);
+        auto& [followed, other] = counted_.followed_timecodes;
+        const bool is_followed =
+            !followed || (followed->from == arrival.from && followed->from_port == arrival.from_port);
+        if (is_followed || arrival.time - followed->arrival > kTimecodeSilent) {
+            if (!is_followed) other.reset();
+            followed = counted_.timecode;
+            if (options_.on_timecode) options_.on_timecode(*time, arrival.time);
+        } else {
+            other = counted_.timecode;
+        }
     } else if (const auto* trigger = std::get_if<Trigger>(&parsed)) {
         remember(counted_.triggers, TriggerStatus{0, *trigger, arrival.from, arrival.time});
     } else if (const auto* poll = std::get_if<PollPacket>(&parsed)) {

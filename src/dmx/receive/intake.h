@@ -23,6 +23,7 @@ struct IntakeOptions {
     MergeOptions merge;
     // Levels for this universe are about to be merged.
     std::function<void(std::uint16_t universe)> before_levels;
+    // Of stream 0 of one sender, until it is silent for a second.
     std::function<void(const TimeCode&, std::chrono::nanoseconds arrival)> on_timecode;
 };
 

@@ -140,7 +140,7 @@ struct Statistics {
     std::vector<UsbPortStatus> usb;
     MidiStatus midi;
     std::optional<TimeCodeStatus> timecode; // the newest
-    // Of stream 0, which is followed: the newest, and the newest of another sender.
+    // Of stream 0: the newest of the sender that is followed, which came first, and of another one.
     std::array<std::optional<TimeCodeStatus>, 2> followed_timecodes;
     std::vector<TriggerStatus> triggers;  // the newest kMaxRemembered
     std::vector<LinkChange> link_changes; // the newest kMaxRemembered

@@ -506,7 +506,7 @@ constexpr const char* kSentences[] = {
                       "numbers"),
     QT_TRANSLATE_NOOP(
         "Sentence",
-        "two Art-Net time codes run, of %1 and %2: what follows the time code jumps from one to the other"),
+        "two Art-Net time codes run, of %1 and %2: the one that came first is followed until it is silent"),
     QT_TRANSLATE_NOOP("Sentence", "no levels"),
     QT_TRANSLATE_NOOP("Sentence", "behind preview"),
     QT_TRANSLATE_NOOP("Sentence", "lower priority"),

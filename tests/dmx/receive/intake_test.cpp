@@ -94,6 +94,32 @@ struct Rig {
     }
 };
 
+TEST(Intake, one_time_code_is_followed_until_it_is_silent) {
+    std::vector<int> followed;
+    IntakeOptions options = patched();
+    options.on_timecode = [&](const TimeCode& time, nanoseconds) { followed.push_back(time.hours); };
+    Intake intake{options};
+    nanoseconds now = 100s;
+    const auto send = [&](std::uint8_t hours, std::uint32_t from, std::uint16_t port) {
+        Arrival by = arrival(Protocol::artnet, from, now);
+        by.from_port = port;
+        (void)intake.take(artnet({0x00, 0x97, 0, 14, 0, 0, 4, 3, 2, hours, 1}), by);
+    };
+    for (int k = 0; k < 3; ++k, now += 40ms) {
+        send(1, kDesk, 6454);
+        send(2, kDesk, 40000); // another program of that machine
+        send(3, kOther, 6454);
+    }
+    EXPECT_EQ(followed, (std::vector<int>{1, 1, 1}));
+    Statistics statistics;
+    intake.report(statistics, now);
+    ASSERT_TRUE(statistics.followed_timecodes[1]);
+    EXPECT_EQ(statistics.followed_timecodes[1]->time.hours, 3);
+    now += 1100ms;
+    send(3, kOther, 6454);
+    EXPECT_EQ(followed.back(), 3);
+}
+
 TEST(Intake, valid_packets_are_all_understood) {
     Rig rig;
     for (const Sample& sample : samples()) {
