@@ -3,7 +3,7 @@
 // The looks of the show as cards, the one that is there now marked; with control they are recalled, and cues
 // are called.
 import {hear, isHidden, make, mayControl, now, onShown, smallPicture, thumbnail} from "./store.js";
-import {doIt, wish} from "./wire.js";
+import {doIt, outcome, wish} from "./wire.js";
 
 const WHEN = "when the lamps rest";
 
@@ -21,6 +21,8 @@ class Looks extends HTMLElement {
     /** @type {Map<string, {item: HTMLElement, picture: HTMLElement, state: HTMLElement, url: string}>} */
     this.rows = new Map();
     for (const topic of ["looks", "hello", "show"]) hear(topic, () => this.build());
+    // What was not done is another matter then.
+    for (const topic of ["isOpen", "hello"]) hear(topic, () => now.isOpen && this.tell(""));
     hear("small", () => this.paint());
     onShown(this, () => {
       this.paint();
@@ -38,9 +40,15 @@ class Looks extends HTMLElement {
 
   /** @param {string} what @param {(string | number)[]} args */
   async order(what, args) {
+    this.wanted = what === "look" ? String(args[0]) : "";
     const refused = await doIt(what, args);
-    this.said.textContent = refused ? `Not done: ${refused}.` : "";
-    this.said.classList.toggle("bad", Boolean(refused));
+    if (refused === "" || this.wanted === "" || this.wanted !== now.looks?.current) this.tell(outcome(refused));
+  }
+
+  /** @param {string} said */
+  tell(said) {
+    this.said.textContent = said;
+    this.said.classList.toggle("bad", said !== "");
   }
 
   /** @param {string} name */
@@ -51,6 +59,7 @@ class Looks extends HTMLElement {
 
   build() {
     const looks = now.looks?.looks ?? [];
+    if (this.wanted && this.wanted === now.looks?.current) this.tell("");  // however late
     this.tools.hidden = !mayControl();
     for (const button of this.tools.querySelectorAll("button")) button.hidden = !now.show?.cues?.length;
     this.about.textContent = looks.length === 0 ? "The show has no looks: the window stores them, in its panel Looks." :

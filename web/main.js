@@ -8,11 +8,12 @@ import "./state.js";
 
 import {streamOf} from "./draw.js";
 import {takePicture} from "./picture.js";
-import {hear, keepToken, make, now, takeToken} from "./store.js";
+import {hear, keepToken, make, mayControl, now, takeToken, tokenBefore} from "./store.js";
 import {takeSide} from "./stage.js";
 import {begin, NO_ANSWER} from "./wire.js";
 
 const SCREENS = ["picture", "rig", "looks", "stage", "book", "state"];
+const TAKEN_BACK_MS = 30000;
 const wide = matchMedia("(min-width: 900px)");
 let screen = "picture";
 let isIn = false;
@@ -69,9 +70,29 @@ addEventListener("keydown", (event) => {
 hear("line", () => {
   const isLost = now.line !== "live";
   if (isLost !== line.classList.contains("lost")) spoken.textContent = isLost ? `The line is lost: ${now.line}` : "The line is back";
-  line.textContent = now.line;
+  line.textContent = isLost ? now.line : now.line + tookBack;
   line.classList.toggle("lost", isLost);
 });
+let didControl = false;
+let tookBack = "", tookBackTimer = 0;
+hear("hello", () => {
+  const isLess = didControl && !mayControl();
+  didControl = mayControl();
+  if (!isLess && !didControl) return;
+  tellTakenBack(isLess);
+  // What had the keyboard may be gone.
+  if (isLess && (document.activeElement === document.body || document.activeElement?.closest("[hidden]"))) main.focus();
+});
+/** @param {boolean} isTold */
+function tellTakenBack(isTold) {
+  clearTimeout(tookBackTimer);
+  tookBack = isTold ? "; control was taken back" : "";
+  if (isTold) {
+    spoken.textContent = "Control was taken back: you look on.";
+    tookBackTimer = setTimeout(() => tellTakenBack(false), TAKEN_BACK_MS);
+  }
+  if (now.line === "live") line.textContent = now.line + tookBack;
+}
 hear("show", () => {
   const name = now.show.name || "Ghostlight";
   /** @type {HTMLElement} */ (document.querySelector("#show")).textContent = name;
@@ -120,8 +141,15 @@ customElements.define("ghost-pair", Pair);
 function enter(token) {
   isIn = true;
   lay();
-  begin(token, (message) => (streamOf(message) === 0 ? takePicture(message) : takeSide(message)), (why) => {
+  begin(token, (message) => (streamOf(message) === 0 ? takePicture(message) : takeSide(message)), (why, isSentAway) => {
+    const other = isSentAway ? "" : tokenBefore();
+    if (other) {
+      spoken.textContent = "That address is not the right one; the one before is gone on with.";
+      enter(other);
+      return;
+    }
     isIn = false;
+    didControl = false;
     line.textContent = why;
     line.classList.add("lost");
     lay();

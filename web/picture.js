@@ -3,7 +3,7 @@
 // The picture as it is drawn now: pinch or Ctrl and the wheel enlarge it, a tap leaves it alone on the
 // screen.
 import {hearFingers, Painter} from "./draw.js";
-import {clock, hear, isCalm, isHidden, make, now, onShown, setCalm} from "./store.js";
+import {age, clock, hear, isCalm, isHidden, make, now, onShown, setCalm} from "./store.js";
 import {ageMs, wish} from "./wire.js";
 
 const OLD_MS = 3000;
@@ -83,7 +83,7 @@ class Picture extends HTMLElement {
     if (newest.number === 0)
       this.when.textContent = now.show ? "no picture yet" : "the show is being opened";
     else if (isOld)
-      this.when.textContent = `${Math.round(sinceMs / 1000)} s old`;
+      this.when.textContent = age(newest.paintedMs);
     else if (newest.flags & 4)
       this.when.textContent = "at rest";
     else if (Number.isFinite(newest.latencyMs))

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // @ts-check
 // All lamps in rows: what each does in words, and, on a tap, why.
-import {hear, make, now} from "./store.js";
-import {say, wish} from "./wire.js";
+import {age, hear, isCalm, make, now} from "./store.js";
+import {heardAtMs, say, wish} from "./wire.js";
 
 const HEAD = 16, EACH = 8;  // bytes of a message of levels, of one fixture in it
 const SHINES_CD = 1;
 const ASK_AGAIN_MS = 1000;
+const CALM_MS = 500;
+const OLD_MS = 3000;
 const MANY = 500;  // rows; with fewer all are laid out: WebKitGTK leaves rows empty that it skipped once
 
 class Rig extends HTMLElement {
@@ -14,8 +16,11 @@ class Rig extends HTMLElement {
     this.search = /** @type {HTMLInputElement} */ (
         make("input", {type: "search", placeholder: "Search lamps", "aria-label": "Search lamps by name, type or address"}));
     this.count = make("p", {class: "count", role: "status"});
+    this.when = make("p", {class: "bad", hidden: ""});
     this.list = make("ul", {class: "lamps"});
-    this.append(this.search, this.count, this.list);
+    this.append(this.search, this.count, this.when, this.list);
+    this.toldMs = -Infinity;
+    this.later = 0;
     this.rows = [];
     this.open = -1;  // fixture that is explained
     this.said = "";  // of its way
@@ -31,6 +36,7 @@ class Rig extends HTMLElement {
     new MutationObserver(() => this.wants()).observe(this, {attributes: true, attributeFilter: ["hidden"]});
     this.wants();
     setInterval(() => this.ask(), ASK_AGAIN_MS);
+    setInterval(() => this.tellAge(), 250);
   }
 
   wants() {
@@ -77,15 +83,32 @@ class Rig extends HTMLElement {
     this.count.textContent = shown === this.rows.length ? `${shown} lamps` : `${shown} of ${this.rows.length} lamps`;
   }
 
+  // As old as the last word of the server: levels at rest are not told again.
+  tellAge() {
+    const isOld = !now.isOpen && this.rows.length > 0 && performance.now() - heardAtMs() > OLD_MS;
+    this.classList.toggle("old", isOld);
+    this.when.hidden = !isOld;
+    if (isOld) this.when.textContent = age(heardAtMs());
+  }
+
   tell() {
+    const earlyMs = isCalm() ? this.toldMs + CALM_MS - performance.now() : 0;
+    if (earlyMs > 0) {
+      this.later ||= setTimeout(() => {
+        this.later = 0;
+        this.tell();
+      }, earlyMs);
+      return;
+    }
     const levels = now.levels;
     if (!levels || this.hidden || levels.version !== now.show?.version || levels.count !== this.rows.length) return;
+    this.toldMs = performance.now();
     this.rows.forEach((row, index) => {
       const at = HEAD + EACH * index;
       const candela = levels.bytes.getFloat32(at, true);
       const [red, green, blue, dimmer] = [4, 5, 6, 7].map((k) => levels.bytes.getUint8(at + k));
       const isLit = candela >= SHINES_CD;
-      const said = patchless(row.fixture) || (isLit ? `lit, ${Math.round((100 * dimmer) / 255)} %` : "dark");
+      const said = patchless(row.fixture) || (isLit ? `lit, ${percent(dimmer)}` : "dark");
       const colour = isLit ? `rgb(${display(red)} ${display(green)} ${display(blue)})` : "transparent";
       if (said !== row.said) row.does.textContent = row.said = said;
       if (colour !== row.colour) row.dot.style.background = row.colour = colour;
@@ -129,6 +152,12 @@ customElements.define("ghost-rig", Rig);
 function patchless(fixture) {
   if (fixture.patch) return "";
   return fixture.unsaid.includes("address") ? "keeps its defaults" : "not patched";
+}
+
+/** Of what is lit. @param {number} dimmer a byte */
+function percent(dimmer) {
+  const whole = Math.round((100 * dimmer) / 255);
+  return whole > 0 ? `${whole} %` : "below 1 %";
 }
 
 /** A linear share as a screen shows it. @param {number} byte */

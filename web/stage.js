@@ -3,12 +3,15 @@
 // The stage from elsewhere: the show's cameras as cards, or a view of one's own. A tap measures.
 import {hearFingers, Painter} from "./draw.js";
 import {cameraOf, dolly, orbitOf, round, slide, turn} from "./orbit.js";
-import {hear, isCalm, isHidden, make, mayControl, now, onShown, smallPicture, thumbnail} from "./store.js";
-import {doIt, wish} from "./wire.js";
+import {age, hear, isCalm, isHidden, make, mayControl, now, onShown, smallPicture, thumbnail} from "./store.js";
+import {doIt, outcome, wish} from "./wire.js";
 
 const WHEN = "in turn";
 const STILL = 16;  // flag of a picture
 const MOVE_EVERY_MS = 150;
+const OLD_MS = 3000;
+const MEASURING = "measuring ...";
+const NOT_MEASURED = "not measured: the line is lost";
 
 class Stage extends HTMLElement {
   connectedCallback() {
@@ -17,10 +20,13 @@ class Stage extends HTMLElement {
     this.view = make("div", {class: "stage side", tabindex: "0", role: "button"}, this.painter.canvas, this.cross);
     this.what = make("p", {class: "grow", role: "status"});
     this.measured = make("p", {class: "measured", role: "status"});
+    this.when = make("p", {class: "bad", hidden: ""});
+    this.paintedMs = 0;  // 0: nothing is
+    this.measures = false;
     this.own = make("button", {type: "button", "aria-pressed": "false"}, "My own view");
     this.put = make("button", {type: "button"}, "Put the picture there");
     this.cards = make("ul", {class: "cards"});
-    this.frame = make("div", {class: "frame"}, this.view, make("div", {class: "under"}, this.what, this.measured, this.put));
+    this.frame = make("div", {class: "frame"}, this.view, make("div", {class: "under"}, this.what, this.when, this.measured, this.put));
     this.append(this.frame, make("div", {class: "tools"}, this.own), this.cards);
     this.chosen = "";  // name of a camera; empty: none
     /** @type {import("./orbit.js").Orbit | null} */
@@ -36,6 +42,8 @@ class Stage extends HTMLElement {
     hear("show", () => this.build());
     hear("hello", () => this.name());
     hear("measure", () => this.tellMeasure());
+    hear("isOpen", () => this.tellLine());
+    setInterval(() => this.tellAge(), 250);
     hear("refusedView", () => this.refuse());
     hear("small", () => this.paint());
     onShown(this, () => {
@@ -86,9 +94,7 @@ class Stage extends HTMLElement {
 
   /** @param {string} said */
   begin(said) {
-    this.probe = null;
-    this.cross.hidden = true;
-    this.measured.textContent = "";
+    this.forgetMeasure();
     this.what.classList.remove("bad");
     this.what.textContent = said;
     this.name();
@@ -124,11 +130,12 @@ class Stage extends HTMLElement {
 
   async putPicture() {
     const refused = await doIt("camera", [this.chosen, 1]);
-    this.what.textContent = refused ? `Not done: ${refused}.` : "The picture goes there.";
+    this.what.textContent = outcome(refused) || "The picture goes there.";
   }
 
   /** @param {DataView} message */
   tell(message) {
+    this.paintedMs = performance.now();
     const isStill = message.getUint8(1) & STILL;
     const what = this.orbit ? "My own view" : `Camera ${this.chosen}`;
     const said = isStill ? `${what} \u00b7 a still, renewed when the lamps rest` : what;
@@ -137,7 +144,20 @@ class Stage extends HTMLElement {
     this.painter.canvas.setAttribute("aria-label", what);
   }
 
+  tellAge() {
+    const isOld = this.paintedMs > 0 && !now.isOpen && performance.now() - this.paintedMs > OLD_MS;
+    this.frame.classList.toggle("old", isOld);
+    this.when.hidden = !isOld;
+    if (isOld) this.when.textContent = age(this.paintedMs);
+  }
+
+  // What is asked is asked again when the line is back.
+  tellLine() {
+    if (this.measures) this.measured.textContent = now.isOpen ? MEASURING : NOT_MEASURED;
+  }
+
   tellMeasure() {
+    this.measures = false;
     const {lux, cd_m2, object, distance_m, place} = now.measure;
     const figure = (/** @type {number} */ value) => (value >= 100 ? Math.round(value).toString() : value.toPrecision(2));
     const parts = lux === undefined ? ["nothing is met there"] : [`${figure(lux)} lux`, `on ${object || "a surface"}`, `${distance_m.toFixed(1)} m away`];
@@ -233,18 +253,22 @@ class Stage extends HTMLElement {
   measureAt(x, y) {
     if (!(x >= 0 && x <= 1 && y >= 0 && y <= 1)) return;
     this.probe = [round(x), round(y)];
-    this.measured.textContent = "measuring ...";
+    this.measures = true;
+    this.tellLine();
     this.ask();
+  }
+
+  forgetMeasure() {
+    this.probe = null;
+    this.measures = false;
+    this.cross.hidden = true;
+    this.measured.textContent = "";
   }
 
   // Not with every pixel: the line has a limit, and each is another picture.
   moved(isLast = false) {
     if (!this.orbit) return;
-    if (!isLast) {
-      this.probe = null;
-      this.cross.hidden = true;
-      this.measured.textContent = "";
-    }
+    if (!isLast) this.forgetMeasure();
     if (this.timer) return;
     this.timer = setTimeout(() => {
       this.timer = 0;

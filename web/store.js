@@ -69,7 +69,23 @@ export function putShow(show) {
   put("show", show);
 }
 
-let calm = matchMedia("(prefers-reduced-motion: reduce)").matches;
+const CALM_KEY = "ghostlight-calm";
+const lessMotion = matchMedia("(prefers-reduced-motion: reduce)");
+let calm = chosenCalm() ?? lessMotion.matches;
+lessMotion.addEventListener("change", () => {
+  calm = lessMotion.matches || chosenCalm() === true;
+  put("calm", calm);
+});
+
+// What was chosen before, in this browser; a page may have no storage.
+function chosenCalm() {
+  try {
+    const kept = localStorage.getItem(CALM_KEY);
+    return kept === null ? null : kept === "on";
+  } catch {
+    return null;
+  }
+}
 
 /** Two pictures a second, against strobes. */
 export function isCalm() {
@@ -79,7 +95,17 @@ export function isCalm() {
 /** @param {boolean} wanted */
 export function setCalm(wanted) {
   calm = wanted;
+  try {
+    localStorage.setItem(CALM_KEY, wanted ? "on" : "off");
+  } catch {
+    // It holds until the page is left.
+  }
   put("calm", wanted);
+}
+
+/** @param {number} paintedMs of what is kept on a lost line @returns {string} how old it is */
+export function age(paintedMs) {
+  return `${Math.round((performance.now() - paintedMs) / 1000)} s old`;
 }
 
 /** @param {HTMLElement} element @param {() => void} tell when it is shown, or no more */
@@ -93,16 +119,28 @@ export function isHidden(screen) {
 }
 
 const KEY = "ghostlight-token";
+let before = "";  // the token that this tab had when it was given another one
 
 export function takeToken() {
   const given = /^#t=([0-9a-f]{32})$/.exec(location.hash);
   if (given) {
+    before = sessionStorage.getItem(KEY) ?? "";
+    if (before === given[1]) before = "";
     sessionStorage.setItem(KEY, given[1]);
     history.replaceState(null, "", location.pathname);
   }
   return sessionStorage.getItem(KEY);
 }
 
+/** @returns {string} instead of one that was refused; "": there was none */
+export function tokenBefore() {
+  const token = before;
+  before = "";
+  if (token) keepToken(token);
+  return token;
+}
+
+/** @param {string} token */
 export function keepToken(token) {
   sessionStorage.setItem(KEY, token);
 }

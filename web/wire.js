@@ -6,25 +6,37 @@ import {dropToken, now, put, putShow, putSmall} from "./store.js";
 const WAITS_S = [0.5, 1, 2, 4];
 const FETCH_WAITS_S = [0.5, 1, 2, 4];
 export const NO_ANSWER = "Ghostlight does not answer.";
+const NOT_THERE = "Ghostlight does not answer";
+const NOTHING_CAME = "no answer came";
 const PING_EVERY_MS = 20000;
 const ANSWER_WITHIN_MS = 10000;
+// A server that stands still, or a network that is gone, closes nothing. The state comes four times a second, the
+// answer to a ping always. A line too slow for a large show is given more time the next time.
+const SILENT_MS = 3000, MOST_SILENT_MS = 24000;
+const LISTEN_EVERY_MS = 500;
+const CONNECT_WITHIN_MS = 10000;
+const LINE_LOST = "the line is lost", LINE_WAS_LOST = "the line was lost";
 
 /** @type {WebSocket | null} */
 let socket = null;
 let lost = 0;  // times in a row
 let timer = 0;
 let token = "";
+let beganMs = 0, heardMs = 0;  // when this connection began, since when nothing is heard over it
+let listenedMs = 0;  // when that was looked at
+let wordMs = 0;  // when something was heard last, over whichever
+let patienceMs = SILENT_MS;
 let leastTrip = Infinity, clockOffset = 0, pings = 0;  // ours + offset is the server's
 /** @type {(message: DataView) => void} */
 let onPicture = () => {};
-/** @type {(why: string) => void} */
+/** @type {(why: string, isSentAway: boolean) => void} */
 let onRefused = () => {};
 let number = 0;  // of what was asked to be done
 /** @type {Map<number, (refused: string) => void>} */
 const asked = new Map();
 const wishes = new Map();  // what the server is told again after each connection
 
-/** @param {string} withToken @param {(message: DataView) => void} picture @param {(why: string) => void} refused */
+/** @param {string} withToken @param {(message: DataView) => void} picture @param {(why: string, isSentAway: boolean) => void} refused */
 export function begin(withToken, picture, refused) {
   token = withToken;
   onPicture = picture;
@@ -42,10 +54,12 @@ function connect() {
   const opening = new WebSocket(`${location.protocol === "https:" ? "wss" : "ws"}://${location.host}/live`, ["ghostlight.1", `t.${token}`]);
   let wasOpen = false;
   socket = opening;
+  beganMs = heardMs = performance.now();
   opening.binaryType = "arraybuffer";
   opening.onopen = () => {
     wasOpen = true;
     lost = 0;
+    beganMs = heardMs = performance.now();
     leastTrip = Infinity;
     pings = 0;
     for (const wish of wishes.values()) opening.send(wish);
@@ -53,41 +67,72 @@ function connect() {
     put("line", "live");
     ping();
   };
-  opening.onmessage = (event) => (typeof event.data === "string" ? hearText(event.data) : hearBytes(new DataView(event.data)));
+  opening.onmessage = (event) => {
+    if (socket !== opening) return;
+    heardMs = wordMs = performance.now();
+    if (typeof event.data === "string")
+      hearText(event.data);
+    else
+      hearBytes(new DataView(event.data));
+  };
   opening.onclose = (event) => {
     if (socket !== opening) return;
-    socket = null;
-    put("isOpen", false);
-    for (const answer of asked.values()) answer("the line was lost");
-    asked.clear();
+    drop();
     if (wasOpen)
-      leave(event.reason || "the line was lost");
+      leave(event.reason || LINE_WAS_LOST);
     else
       ask();
   };
 }
 
-// Why a handshake was refused is hidden from a page; asked plainly, the server says whether the token is the
-// right one.
-async function ask() {
-  try {
-    const answer = await fetch("/right", {headers: {Authorization: `Bearer ${token}`}, cache: "no-store"});
-    if (answer.status !== 401) return leave(answer.ok ? "too many look on already" : `refused (${answer.status})`);
-  } catch {
-    return leave("Ghostlight does not answer");
-  }
-  refuse("This address is no longer the right one: Ghostlight makes new ones.");
-}
-
-/** @param {string} why */
-function refuse(why) {
-  token = "";
-  dropToken();
+// What was asked for over it is answered.
+function drop() {
   const before = socket;
   socket = null;
   before?.close();
   put("isOpen", false);
-  onRefused(why);
+  for (const answer of asked.values()) answer(LINE_WAS_LOST);
+  asked.clear();
+}
+
+// Of a hidden tab nothing is expected, nor of a machine that slept: their time begins when they are back.
+function listen() {
+  const ms = performance.now();
+  const wasAway = document.visibilityState !== "visible" || ms - listenedMs > 4 * LISTEN_EVERY_MS;
+  listenedMs = ms;
+  if (wasAway) beganMs = heardMs = ms;
+  if (document.visibilityState !== "visible") return;
+  if (socket?.readyState === WebSocket.CONNECTING && ms - beganMs > CONNECT_WITHIN_MS) {
+    drop();
+    leave(NOT_THERE);
+  }
+  if (socket?.readyState !== WebSocket.OPEN) return;
+  if (wasAway || ms - heardMs > SILENT_MS / 3) ping();  // the state waits for pictures that are not painted
+  if (ms - heardMs <= patienceMs) return;
+  patienceMs = ms - beganMs > MOST_SILENT_MS ? SILENT_MS : Math.min(2 * patienceMs, MOST_SILENT_MS);
+  drop();
+  leave("nothing is heard");
+}
+setInterval(listen, LISTEN_EVERY_MS);
+
+// Why a handshake was refused is hidden from a page; asked plainly, the server says whether the token is the
+// right one.
+async function ask() {
+  try {
+    const answer = await fetch("/right", {headers: {Authorization: `Bearer ${token}`}, cache: "no-store", signal: AbortSignal.timeout(CONNECT_WITHIN_MS)});
+    if (answer.status !== 401) return leave(answer.ok ? "too many look on already" : `refused (${answer.status})`);
+  } catch {
+    return leave(NOT_THERE);
+  }
+  refuse("This address is no longer the right one: Ghostlight makes new ones.", false);
+}
+
+/** @param {string} why @param {boolean} isSentAway */
+function refuse(why, isSentAway) {
+  token = "";
+  dropToken();
+  drop();
+  onRefused(why, isSentAway);
 }
 
 /** @param {string} why */
@@ -103,7 +148,10 @@ function again() {
   connect();
 }
 addEventListener("online", again);
-document.addEventListener("visibilitychange", () => document.visibilityState === "visible" && again());
+document.addEventListener("visibilitychange", () => {
+  listen();
+  if (document.visibilityState === "visible") again();
+});
 
 /** @param {string} text */
 function hearText(text) {
@@ -111,7 +159,7 @@ function hearText(text) {
   if (message.type === "pong")
     hearPong(message);
   else if (message.type === "bye")
-    refuse(message.why);
+    refuse(message.why, true);
   else if (message.type === "refused" && message.n === 0)
     put("refusedView", message.why);
   else if (message.type === "refused" || message.type === "done")
@@ -163,6 +211,11 @@ export function ageMs(serverMs) {
   return leastTrip === Infinity ? NaN : performance.now() + clockOffset - serverMs;
 }
 
+/** When the server was heard last, on the page's clock. */
+export function heardAtMs() {
+  return wordMs;
+}
+
 /** @param {object} message */
 export function say(message) {
   if (socket?.readyState === WebSocket.OPEN) socket.send(JSON.stringify(message));
@@ -173,13 +226,19 @@ export function say(message) {
  * number | boolean)[]} args @returns {Promise<string>} why not; "": it is done
  */
 export function doIt(what, args) {
-  if (socket?.readyState !== WebSocket.OPEN) return Promise.resolve("the line is lost");
+  if (socket?.readyState !== WebSocket.OPEN) return Promise.resolve(LINE_LOST);
   const n = ++number;
   say({type: "do", n, what, args});
   return new Promise((answer) => {
     asked.set(n, answer);
-    setTimeout(() => hearAnswer({n, why: "no answer came"}), ANSWER_WITHIN_MS);
+    setTimeout(() => hearAnswer({n, why: NOTHING_CAME}), ANSWER_WITHIN_MS);
   });
+}
+
+/** In a sentence. @param {string} refused what doIt() says; without an answer it may be done all the same */
+export function outcome(refused) {
+  if (refused === "") return "";
+  return [LINE_WAS_LOST, NOTHING_CAME].includes(refused) ? `Perhaps not done: ${refused}.` : `Not done: ${refused}.`;
 }
 
 /**
