@@ -73,7 +73,7 @@ double Server::cpu_s() const {
 
 void Server::allow_control(bool allowed) {
     const std::lock_guard lock(gate_.mutex);
-    gate_.access.control_token = allowed ? make_token() : "";
+    gate_.access.allow_control(allowed);
     ++gate_.keys;
     wake_->raise();
 }

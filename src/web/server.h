@@ -71,7 +71,7 @@ public:
     std::vector<Looker> lookers() const;
     double cpu_s() const; // of its threads since it began, half a second late at most
 
-    // Each time with a token of its own; who has one before loses the right.
+    // Each time with a token of its own; who has one before only looks on, until tokens are renewed.
     void allow_control(bool allowed);
     // New digits, or none.
     void show_digits(bool shown);

@@ -12,6 +12,8 @@ namespace {
 
 constexpr double kNewSideEvery_s = 0.1; // of one viewer
 constexpr const char* kNoCamera = "the show has no such camera";
+constexpr const char* kNoPlace =
+    "two other views are drawn already, for others who look on; it comes when one of them is free";
 
 bool watch_the_same(const Watch& a, const Watch& b) {
     return a.camera == b.camera && a.own == b.own && a.probe == b.probe;
@@ -52,9 +54,7 @@ void ServerLoop::go_to_watch(Guest& guest) {
     }
     choose_sides();
     if (side_for(viewer)) return;
-    viewer.watch = {};
-    guest.connection.put(
-        build_text(refused_text(0, "two other views are drawn already, for others who look on")));
+    guest.connection.put(build_text(refused_text(0, kNoPlace))); // the wish stays: choose_sides()
 }
 
 std::optional<ui::SideView> ServerLoop::side_of(const Watch& watch) const {
@@ -93,7 +93,7 @@ void ServerLoop::look_at_sides_anew() {
     choose_sides();
 }
 
-// Those that somebody watches; who moves his own camera keeps his place.
+// Those that somebody watches, as many as have a place; who moves his own camera keeps his.
 void ServerLoop::choose_sides() {
     const auto watched = [&](const Watch& watch) {
         return std::any_of(guests_.begin(), guests_.end(), [&](const Guest& guest) {

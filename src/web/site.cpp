@@ -111,8 +111,16 @@ Answer pair(const Head& head, std::string_view body, Access& access, double now_
 
 } // namespace
 
+void Access::allow_control(bool allowed) {
+    constexpr std::size_t kMostTakenBack = 64;
+    if (!control_token.empty()) taken_back.push_back(control_token);
+    if (taken_back.size() > kMostTakenBack) taken_back.erase(taken_back.begin());
+    control_token = allowed ? make_token() : "";
+}
+
 void Access::renew() {
     token = make_token();
+    taken_back.clear();
     if (!control_token.empty()) control_token = make_token();
     pairing.reset();
 }
@@ -122,7 +130,8 @@ std::string_view name_of(Right right) {
 }
 
 Right right_of(std::string_view token, const Access& access) {
-    const bool views = is_same_secret(token, access.token);
+    bool views = is_same_secret(token, access.token);
+    for (const std::string& one : access.taken_back) views |= is_same_secret(token, one);
     const bool controls = is_same_secret(token, access.control_token);
     return controls ? Right::control : views ? Right::view : Right::none;
 }

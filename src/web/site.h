@@ -10,6 +10,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace ghost::web {
 
@@ -18,9 +19,12 @@ inline constexpr std::string_view kProtocol = "ghostlight.1";
 struct Access {
     OwnNames own;
     std::string token;
-    std::optional<Pairing> pairing; // none: nobody comes in by digits
-    std::string control_token = {}; // empty: nobody may control
+    std::optional<Pairing> pairing;           // none: nobody comes in by digits
+    std::string control_token = {};           // empty: nobody may control
+    std::vector<std::string> taken_back = {}; // tokens that controlled: who has one still looks on
 
+    // Another one, or none.
+    void allow_control(bool allowed);
     // Tokens are others, and no digits hold.
     void renew();
 };

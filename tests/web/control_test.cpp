@@ -72,9 +72,14 @@ TEST_F(WebControl, the_right_ends_with_the_token) {
     peer.say(R"({"type":"ping","t":7})");
     EXPECT_EQ(peer.hear("pong")["t"], 7);
     EXPECT_TRUE(link.commands.take().empty());
-    EXPECT_EQ(Peer(server->port()).look_on(before), 401);
-    server->allow_control(true);
-    EXPECT_NE(server->keys().control_token, before);
+    for (const bool allowed : {false, true}) {
+        server->allow_control(allowed);
+        EXPECT_NE(server->keys().control_token, before);
+        Peer again(server->port()); // after a reload, or a lost line
+        ASSERT_EQ(again.look_on(before), 101);
+        EXPECT_EQ(again.hear("hello")["right"], "view");
+    }
+    server->renew_token();
     EXPECT_EQ(Peer(server->port()).look_on(before), 401);
 }
 

@@ -69,7 +69,31 @@ TEST_F(WebSides, two_are_drawn_and_shared_and_a_third_is_refused) {
     EXPECT_EQ(b.hear("refused")["n"], 0);
     a.say(watch(R"(,"camera":"nowhere")"));
     EXPECT_EQ(a.hear("refused")["why"], "the show has no such camera");
-    EXPECT_EQ(wanted(1).front().camera.name, "close") << "nobody watches the house";
+    const auto after = wanted(2);
+    EXPECT_EQ(after[0].camera.name, "close");
+    EXPECT_EQ(after[1].camera.name, "side") << "nobody watches the house, and who waited has its place";
+}
+
+TEST_F(WebSides, who_waits_gets_the_place_that_is_free) {
+    auto a = std::make_unique<Peer>(server->port());
+    Peer b(server->port()), c(server->port());
+    for (Peer* peer : {a.get(), &b, &c}) {
+        ASSERT_EQ(peer->look_on(server->keys().token), 101);
+        ASSERT_FALSE(peer->hear("show").is_null());
+    }
+    a->say(watch(R"(,"camera":"house")"));
+    wanted(1);
+    b.say(watch(R"(,"camera":"close")"));
+    wanted(2);
+    c.say(watch(R"(,"camera":"side")"));
+    EXPECT_EQ(c.hear("refused")["n"], 0);
+    a.reset();
+    const auto both = wanted(2);
+    EXPECT_EQ(both[1].camera.name, "side");
+    draw(both[1]);
+    const Buffer picture = c.hear_bytes(1);
+    ASSERT_GT(picture.size(), 32u);
+    EXPECT_EQ(picture[2], 1) << "of a side view";
 }
 
 TEST_F(WebSides, an_own_camera_moves_and_goes_with_who_has_it) {
