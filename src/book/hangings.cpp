@@ -24,6 +24,8 @@ Hanging hanging_of(const Plot& plot, const PlotObject& object) {
     if (device.color) hanging.filter = colour_text(*device.color);
     if (hanging.filter == "#ffffff") hanging.filter.clear(); // MVR's default: no filter
     if (device.gobo) hanging.gobo = device.gobo->file;
+    hanging.type = device.gdtf_spec;
+    hanging.mode = device.gdtf_mode;
     if (device.focus >= 0) hanging.focus = plot.objects[static_cast<std::size_t>(device.focus)].name;
     return hanging;
 }

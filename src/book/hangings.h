@@ -20,7 +20,8 @@ struct Hanging {
     std::string function;
     std::string filter; // a colour in the beam
     std::string gobo;
-    std::string focus; // name of the point that it is aimed at
+    std::string focus;      // name of the point that it is aimed at
+    std::string type, mode; // as the plot writes them
 };
 
 // One for each fixture; without a plot with number and name only.

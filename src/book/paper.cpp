@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "book/paper.h"
 
+#include "base/text.h"
 #include "book/private/paper_tables.h"
 #include "print/quantities.h"
 #include "show/show.h"
@@ -9,6 +10,7 @@
 #include <map>
 #include <numeric>
 #include <set>
+#include <string_view>
 #include <tuple>
 
 namespace ghost::scene {
@@ -80,6 +82,28 @@ std::string mode_name(const PatchedFixture& fixture) {
     return is_mode_said(fixture) ? fixture.patch().mode_of().name : "";
 }
 
+std::string written_type(const PatchedFixture& fixture, const Hanging& hanging) {
+    constexpr std::string_view kEnd = ".gdtf";
+    if (fixture.type) return type_name(fixture);
+    std::string written = hanging.type.empty() ? fixture.gdtf.filename().string() : hanging.type;
+    if (lower(written).ends_with(kEnd)) written.resize(written.size() - kEnd.size());
+    return written;
+}
+
+std::string written_mode(const PatchedFixture& fixture, const Hanging& hanging) {
+    return fixture.type ? mode_name(fixture) : hanging.mode;
+}
+
+void say_unread(PaperTable& table, const Show& show, const PrintStyle& style) {
+    const auto unread = std::count_if(show.fixtures.begin(), show.fixtures.end(),
+                                      [](const PatchedFixture& fixture) { return !fixture.type; });
+    if (unread > 0)
+        table.unknown.push_back(
+            style("The file of the type could not be read of %1: type and mode are as the "
+                  "plot or the show writes them, channels, weight and power are not known.",
+                  {std::to_string(unread)}));
+}
+
 bool is_mode_said(const PatchedFixture& fixture) {
     return fixture.type && !fixture.type->modes.empty() && fixture.is_mode_known;
 }
@@ -131,7 +155,7 @@ PaperTable instruments_of(const Show& show, const PrintStyle& style) {
                      {style.weight_unit(), true},
                      {"W", true}};
     const std::vector<Hanging> hangings = hangings_of(show);
-    std::size_t nowhere = 0, unread = 0;
+    std::size_t nowhere = 0;
     std::vector<std::string> placeless, modeless;
     const auto place = [&](const PatchedFixture& fixture, int axis) {
         return fixture.is_place_known ? style.length(static_cast<double>(fixture.position_m[axis])) : "";
@@ -140,13 +164,12 @@ PaperTable instruments_of(const Show& show, const PrintStyle& style) {
         const PatchedFixture& fixture = show.fixtures[i];
         const Hanging& hanging = hangings[i];
         table.rows.push_back(
-            {{hanging.position, hanging.unit, fixture.fixture_id, fixture.name, type_name(fixture),
-              mode_name(fixture), all_addresses(fixture, style), channels_text(fixture), place(fixture, 0),
-              place(fixture, 1), place(fixture, 2), hanging.function, hanging.filter, hanging.gobo,
-              hanging.focus, fixture.circuit, hanging.layer, said_weight(style, weight_kg_of(fixture)),
-              said_power(style, power_w_of(fixture))}});
+            {{hanging.position, hanging.unit, fixture.fixture_id, fixture.name,
+              written_type(fixture, hanging), written_mode(fixture, hanging), all_addresses(fixture, style),
+              channels_text(fixture), place(fixture, 0), place(fixture, 1), place(fixture, 2),
+              hanging.function, hanging.filter, hanging.gobo, hanging.focus, fixture.circuit, hanging.layer,
+              said_weight(style, weight_kg_of(fixture)), said_power(style, power_w_of(fixture))}});
         if (hanging.position.empty()) ++nowhere;
-        if (!fixture.type) ++unread;
         if (!fixture.is_place_known) placeless.push_back(fixture.name);
         if (fixture.type && !is_mode_said(fixture)) modeless.push_back(fixture.name);
     }
@@ -164,10 +187,7 @@ PaperTable instruments_of(const Show& show, const PrintStyle& style) {
     if (nowhere > 1)
         table.unknown.push_back(
             style("What they hang on: %1 fixtures do not say it.", {std::to_string(nowhere)}));
-    if (unread > 0)
-        table.unknown.push_back(style("The file of the type could not be read of %1: type, mode, channels, "
-                                      "weight and power are not known.",
-                                      {std::to_string(unread)}));
+    say_unread(table, show, style);
     return table;
 }
 
@@ -193,12 +213,14 @@ PaperTable hookup_of(const Show& show, const PrintStyle& style) {
     for (const std::size_t i : order) {
         const PatchedFixture& fixture = show.fixtures[i];
         if (fixture.fixture_id.empty()) ++numberless;
-        table.rows.push_back({{fixture.fixture_id, fixture.name, all_addresses(fixture, style),
-                               channels_text(fixture), type_name(fixture), mode_name(fixture),
-                               hangings[i].position, hangings[i].unit, hangings[i].function}});
+        table.rows.push_back(
+            {{fixture.fixture_id, fixture.name, all_addresses(fixture, style), channels_text(fixture),
+              written_type(fixture, hangings[i]), written_mode(fixture, hangings[i]), hangings[i].position,
+              hangings[i].unit, hangings[i].function}});
     }
     drop_empty_columns(table);
     say_addressless(table, show, style);
+    say_unread(table, show, style);
     if (numberless == 1)
         table.unknown.push_back(style(
             "The number by which a desk calls them: 1 fixture does not say it, and is sorted by name."));
@@ -212,9 +234,11 @@ PaperTable hookup_of(const Show& show, const PrintStyle& style) {
 PaperTable types_of(const Show& show, const PrintStyle& style) {
     // By names, and by what is said: two files of one name may differ.
     std::map<std::tuple<std::string, std::string, double, double, std::string>, std::size_t> kinds;
-    for (const PatchedFixture& fixture : show.fixtures) {
-        ++kinds[{type_name(fixture), mode_name(fixture), weight_kg_of(fixture), power_w_of(fixture),
-                 channels_text(fixture)}];
+    const std::vector<Hanging> hangings = hangings_of(show);
+    for (std::size_t i = 0; i < show.fixtures.size(); ++i) {
+        const PatchedFixture& fixture = show.fixtures[i];
+        ++kinds[{written_type(fixture, hangings[i]), written_mode(fixture, hangings[i]),
+                 weight_kg_of(fixture), power_w_of(fixture), channels_text(fixture)}];
     }
     PaperTable table{"types", style("Types, weight and power"), {}, {}, {}};
     const std::string kg = style.weight_unit();
@@ -256,6 +280,7 @@ PaperTable types_of(const Show& show, const PrintStyle& style) {
         total(style("Weight"), style.weight(weight_kg) + " " + kg, weightless);
         total(style("Power"), style.number(power_w, 1) + " W", powerless);
     }
+    say_unread(table, show, style);
     return table;
 }
 
@@ -266,6 +291,9 @@ Paper paper_of(const Show& show, const PrintStyle& style, std::optional<double> 
     paper.tables = {instruments_of(show, style), hookup_of(show, style), patch_of(show, style),
                     universes_of(show, style),   wheels_of(show, style), types_of(show, style),
                     positions_of(show, style)};
+    if (show.fixtures.empty())
+        for (PaperTable& table : paper.tables)
+            table.unknown.insert(table.unknown.begin(), style("The show has no fixtures."));
     // Not there where nobody says anything about cables or power; what is said stands in the place of a
     // proposal.
     std::vector<PaperTable> more{cables_of(show, style), plugs_of(show, style)};

@@ -67,6 +67,27 @@ std::string said_number(const PrintStyle& style, double value, int decimals) {
     return value > 0 ? style.number(value, decimals) : "";
 }
 
+// Of a mode that nobody names only what all modes of the type say alike.
+std::vector<fixture::PowerInput> inputs_said(const PatchedFixture& fixture) {
+    const bool is_known = is_mode_said(fixture) || power_w_of(fixture) > 0;
+    if (!is_known || fixture.type->modes.empty()) return {};
+    const fixture::Type& type = *fixture.type;
+    std::vector<fixture::PowerInput> said = fixture::power_inputs_of(type, fixture.patch().mode_of());
+    if (fixture.is_mode_known) return said;
+    for (const fixture::Mode& mode : type.modes) {
+        const std::vector<fixture::PowerInput> others = fixture::power_inputs_of(type, mode);
+        if (others.size() != said.size()) return {};
+        for (std::size_t k = 0; k < said.size(); ++k) {
+            if (others[k].connector != said[k].connector) said[k].connector.clear();
+            if (others[k].plug != said[k].plug) said[k].plug.clear();
+            if (others[k].voltage_low_v != said[k].voltage_low_v ||
+                others[k].voltage_high_v != said[k].voltage_high_v)
+                said[k].voltage_low_v = said[k].voltage_high_v = 0;
+        }
+    }
+    return said;
+}
+
 void say_unknown(PaperTable& table, const Show& show, const PrintStyle& style, std::size_t powerless,
                  std::size_t factorless) {
     const auto loads = loads_of(show);
@@ -114,12 +135,7 @@ PaperTable plugs_of(const Show& show, const PrintStyle& style) {
     std::map<std::tuple<std::string, std::string, std::string>, Plugs> kinds;
     std::vector<std::size_t> unsaid;
     for (std::size_t i = 0; i < show.fixtures.size(); ++i) {
-        const PatchedFixture& fixture = show.fixtures[i];
-        const bool is_known = is_mode_said(fixture) || power_w_of(fixture) > 0;
-        const std::vector<fixture::PowerInput> inputs =
-            is_known && !fixture.type->modes.empty()
-                ? fixture::power_inputs_of(*fixture.type, fixture.patch().mode_of())
-                : std::vector<fixture::PowerInput>{};
+        const std::vector<fixture::PowerInput> inputs = inputs_said(show.fixtures[i]);
         if (inputs.empty()) unsaid.push_back(i);
         for (const fixture::PowerInput& input : inputs) {
             const std::string low = said_number(style, static_cast<double>(input.voltage_low_v), 0),

@@ -117,6 +117,7 @@ void say_anywhere(PaperTable& table, const std::vector<std::string>& addressless
 
 PaperTable patch_of(const Show& show, const PrintStyle& style) {
     const std::vector<std::string> addressless = addressless_of(show);
+    const std::vector<Hanging> hangings = hangings_of(show);
     PaperTable table{"patch", style("Patch by universe"), {}, {}, {}};
     table.columns = {{style("universe"), true}, {style("from"), true}, {style("to"), true},
                      {style("channels"), true}, {style("name")},       {style("number"), false, true},
@@ -136,6 +137,10 @@ PaperTable patch_of(const Show& show, const PrintStyle& style) {
         for (const Segment& segment : segments) {
             put_gaps(segment.from);
             const PatchedFixture none, &fixture = segment.fixture ? *segment.fixture : none;
+            const Hanging no_hanging,
+                &hanging = segment.fixture
+                               ? hangings[static_cast<std::size_t>(segment.fixture - show.fixtures.data())]
+                               : no_hanging;
             std::string remarks = segment.what;
             const auto remark = [&](const std::string& what) {
                 remarks += (remarks.empty() ? "" : ", ") + what;
@@ -143,11 +148,11 @@ PaperTable patch_of(const Show& show, const PrintStyle& style) {
             if (before && segment.from <= before->to)
                 remark(style("shares channels with %1", {before->name}));
             if (!segment.is_whole) remark(style("how many channels is not known"));
-            table.rows.push_back(
-                {{std::to_string(universe), std::to_string(segment.from),
-                  segment.is_whole ? std::to_string(segment.to) : "",
-                  segment.is_whole ? std::to_string(segment.to - segment.from + 1) : "", segment.name,
-                  fixture.fixture_id, type_name(fixture), mode_name(fixture), remarks}});
+            table.rows.push_back({{std::to_string(universe), std::to_string(segment.from),
+                                   segment.is_whole ? std::to_string(segment.to) : "",
+                                   segment.is_whole ? std::to_string(segment.to - segment.from + 1) : "",
+                                   segment.name, fixture.fixture_id, written_type(fixture, hanging),
+                                   written_mode(fixture, hanging), remarks}});
             is_certain = is_certain && segment.is_whole;
             if (!before || segment.to > before->to) before = &segment;
         }

@@ -178,6 +178,7 @@ FocusChart focus_of(const Show& show, std::span<const fixture::State> states, co
         if (find && lamp.hit && lamp.hit->distance_m < kAtLens_m) near.push_back(fixture.name);
     }
     const std::string at_lens = style.length_said(static_cast<double>(kAtLens_m));
+    if (show.fixtures.empty()) chart.unknown.push_back(style("The show has no fixtures."));
     if (!find)
         chart.unknown.push_back(
             show.stage_file.empty()

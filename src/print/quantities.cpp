@@ -3,8 +3,8 @@
 
 #include <algorithm>
 #include <cctype>
+#include <charconv>
 #include <cmath>
-#include <cstdio>
 #include <cstdlib>
 #include <iterator>
 #include <string_view>
@@ -28,11 +28,26 @@ bool counts_on(const std::string& before, const std::string& after) {
 
 } // namespace
 
+// Of the decimals that people wrote, not of the binary number nearest to them: 13.25 is 13.3, 4.325 is 4.33.
 std::string number_text(float value, int decimals) {
     if (!std::isfinite(value)) return "?";
-    char text[64];
-    std::snprintf(text, sizeof text, "%.*f", decimals, static_cast<double>(value));
-    std::string result = text;
+    char text[128];
+    const auto [end, error] = std::to_chars(text, text + sizeof text, value, std::chars_format::fixed);
+    if (error != std::errc()) return "?";
+    std::string result(text, end);
+    const std::size_t point = result.find('.');
+    const std::size_t last = point + static_cast<std::size_t>(decimals); // that stays, or the point
+    if (point != std::string::npos && last + 1 < result.size()) {
+        bool is_up = result[last + 1] >= '5';
+        result.resize(last + (decimals > 0 ? 1 : 0));
+        for (std::size_t k = result.size(); is_up && k-- > 0;) {
+            if (result[k] == '.') continue;
+            if (result[k] == '-') break;
+            is_up = result[k] == '9';
+            result[k] = is_up ? '0' : static_cast<char>(result[k] + 1);
+        }
+        if (is_up) result.insert(result[0] == '-' ? 1 : 0, "1");
+    }
     if (result.find('.') != std::string::npos) {
         result.erase(result.find_last_not_of('0') + 1);
         if (result.back() == '.') result.pop_back();

@@ -78,9 +78,10 @@ inline constexpr Translation kWords[] = {
     {"file not read", "Datei nicht lesbar"},
     {"What they hang on: 1 fixture does not say it.", "Woran sie hängen: 1 Gerät sagt es nicht."},
     {"What they hang on: %1 fixtures do not say it.", "Woran sie hängen: %1 Geräte sagen es nicht."},
-    {"The file of the type could not be read of %1: type, mode, channels, weight and power are not known.",
-     "Die Datei des Typs war bei %1 nicht lesbar: Typ, Modus, Kanäle, Gewicht und Leistung sind nicht "
-     "bekannt."},
+    {"The file of the type could not be read of %1: type and mode are as the plot or the show writes them, "
+     "channels, weight and power are not known.",
+     "Die Datei des Typs war bei %1 nicht lesbar: Typ und Modus sind, wie Plan oder Show sie schreiben, "
+     "Kanäle, Gewicht und Leistung sind nicht bekannt."},
     {"The address of %1 cannot be read.", "Die Adresse von %1 ist nicht lesbar."},
     {"The address of %1 cannot be read: less may be free, in any universe.",
      "Die Adresse von %1 ist nicht lesbar: es kann weniger frei sein, in jedem Universum."},

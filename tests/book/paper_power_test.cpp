@@ -139,6 +139,25 @@ TEST(Circuits, add_up_what_the_show_plugs_into_them) {
     EXPECT_EQ(table_named(less, "phases").rows.at(0).cells.back(), "") << "not half a sum";
 }
 
+TEST(Plugs, have_no_name_that_only_a_mode_says_which_nobody_names) {
+    Show show = rig();
+    auto type = std::make_shared<fixture::Type>(*type_with_plug(230));
+    fixture::Type& two = *type;
+    const auto of_first = static_cast<std::size_t>(two.modes.front().nodes.front().geometry);
+    two.geometries[of_first].power_input = two.properties.power_inputs.front();
+    two.geometries.push_back(two.geometries[of_first]);
+    two.geometries.back().power_input->plug = "In 8 bit";
+    two.modes.push_back(two.modes.front());
+    two.modes.back().nodes.front().geometry = static_cast<int>(two.geometries.size()) - 1;
+    two.properties.power_inputs.clear();
+    show.fixtures.resize(1);
+    show.fixtures[0].type = type;
+    EXPECT_EQ(table_named(paper_of(show), "plugs").rows.at(0).cells,
+              (Row{"NAC3FCA", "In", "100-240", "1", "230"}));
+    show.fixtures[0].is_mode_known = false;
+    EXPECT_EQ(table_named(paper_of(show), "plugs").rows.at(0).cells, (Row{"NAC3FCA", "100-240", "1", "230"}));
+}
+
 TEST(Circuits, name_all_that_is_on_them) {
     Show show;
     for (int i = 0; i < 30; ++i) {

@@ -241,6 +241,32 @@ TEST(Instruments, name_what_the_plot_says) {
     EXPECT_EQ(column(table(paper_of(show), "hookup"), "number"), (Cells{"101", "102", "103", ""}));
 }
 
+TEST(Instruments, of_a_file_that_is_not_read_are_as_the_plot_writes_them) {
+    Show show;
+    show.plot = std::make_shared<LoadedPlot>(must(load_description(small_xml(""))));
+    PlotObject& object = show.plot->plot.objects.emplace_back();
+    object.uuid = uuid(1);
+    object.device.gdtf_spec = "Robe Lighting@Robin Esprite.gdtf";
+    object.device.gdtf_mode = "Mode 1 - Standard 16 bit";
+    show.fixtures = {hung("Esprite", 1, 1), hung("of a show file", 1, 100)};
+    for (PatchedFixture& fixture : show.fixtures) fixture.type = nullptr;
+    show.fixtures[0].uuid = uuid(1);
+    show.fixtures[1].gdtf = "../fixtures/Maker@Wash.GDTF";
+    const Paper paper = paper_of(show);
+    for (const char* const name : {"instruments", "hookup", "patch", "types"}) {
+        const PaperTable& one = table(paper, name);
+        Cells types = column(one, "type"), modes = column(one, "mode");
+        std::erase(types, "");
+        std::erase(modes, "");
+        std::sort(types.begin(), types.end());
+        EXPECT_EQ(types, (Cells{"Maker@Wash", "Robe Lighting@Robin Esprite"})) << name;
+        EXPECT_EQ(modes, (Cells{"Mode 1 - Standard 16 bit"})) << name;
+    }
+    EXPECT_TRUE(table(paper, "instruments")
+                    .unknown.back()
+                    .starts_with("The file of the type could not be read of 2: type and mode are as"));
+}
+
 TEST(Instruments, that_hang_nowhere_are_sorted_by_layer) {
     Show show;
     auto loaded = load_description(small_xml(""));
@@ -368,7 +394,10 @@ TEST(Tables, have_codes_that_no_line_of_a_page_breaks) {
 TEST(Tables, of_a_show_without_fixtures_are_made) {
     const Paper paper = paper_of(Show{});
     EXPECT_EQ(paper.tables.size(), 7u);
-    for (const PaperTable& one : paper.tables) EXPECT_TRUE(csv_of(one).ends_with("\r\n")) << one.file;
+    for (const PaperTable& one : paper.tables) {
+        EXPECT_TRUE(csv_of(one).ends_with("\r\n")) << one.file;
+        EXPECT_EQ(one.unknown.at(0), "The show has no fixtures.") << one.file;
+    }
     EXPECT_NE(html_of(paper, PaperSize::letter).find("nothing"), std::string::npos);
 }
 

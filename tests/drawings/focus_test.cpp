@@ -232,6 +232,11 @@ TEST(Focus, prints_no_angle_and_no_pool_that_nobody_says) {
     }
 }
 
+TEST(Focus, of_a_show_without_fixtures_says_so) {
+    const FocusChart chart = focus_of({}, {}, {}, {}, "Now.");
+    EXPECT_EQ(chart.unknown.at(0), "The show has no fixtures.");
+}
+
 TEST(Focus, tells_a_show_without_a_stage_from_one_whose_stage_is_not_readable) {
     Show show = lamp_at(0);
     EXPECT_TRUE(says(focus_of(show, states_of(show), {}, {}, "Now."), "The show has no stage model"));

@@ -47,6 +47,20 @@ TEST(Lengths, are_metres_or_feet_and_inches) {
     EXPECT_EQ(imperial.weight(10), "22");
 }
 
+TEST(Quantities, are_rounded_as_people_round) {
+    EXPECT_EQ(number_text(13.25f, 1), "13.3");
+    EXPECT_EQ(number_text(-4.325f, 2), "-4.33");
+    EXPECT_EQ(number_text(0.45f, 1), "0.5");
+    EXPECT_EQ(number_text(2.5f, 0), "3");
+    EXPECT_EQ(number_text(13.24f, 1), "13.2");
+    EXPECT_EQ(number_text(99.95f, 1), "100");
+    EXPECT_EQ(number_text(-9.96f, 1), "-10");
+    EXPECT_EQ(number_text(-0.04f, 1), "0");
+    EXPECT_EQ(number_text(120.0f, 0), "120");
+    EXPECT_EQ(number_text(1e-30f, 3), "0");
+    EXPECT_EQ(number_text(3e38f, 1).size(), 39u);
+}
+
 TEST(Quantities, are_whole) {
     EXPECT_EQ(with_whole_quantities("fade 12 s, 0 to 80 %, 3 spots"),
               "fade 12\u00a0s, 0 to 80\u00a0%, 3 spots");

@@ -35,6 +35,10 @@ std::vector<std::string> addressless_of(const Show& show);
 // "Vari-Lite VL2500 Spot"; "": its file could not be read.
 std::string type_name(const PatchedFixture& fixture);
 std::string mode_name(const PatchedFixture& fixture); // "": not known
+// The same, but of a file that could not be read as the plot writes them, or the show, which keeps no mode.
+std::string written_type(const PatchedFixture& fixture, const Hanging& hanging);
+std::string written_mode(const PatchedFixture& fixture, const Hanging& hanging);
+void say_unread(PaperTable& table, const Show& show, const PrintStyle& style);
 // Its type was read, and it is in a mode of the type's that somebody names.
 bool is_mode_said(const PatchedFixture& fixture);
 // Addresses of all breaks, 0 where one is not patched.
