@@ -2779,8 +2779,8 @@
         <translation>Vorschau der Tabelle</translation>
     </message>
     <message>
-        <source>The first camera</source>
-        <translation>Die erste Kamera</translation>
+        <source>Where the cues put the picture</source>
+        <translation>Wohin die Cues das Bild legen</translation>
     </message>
     <message>
         <source>Layout</source>
@@ -4895,6 +4895,10 @@ Bitte den Namen des Ordners prüfen.</translation>
     <message>
         <source>the show has no fixtures</source>
         <translation>die Show hat keine Geräte</translation>
+    </message>
+    <message>
+        <source>has neither show.toml nor book.json: to compare with is a show, a plot or a book</source>
+        <translation>hat weder show.toml noch book.json: verglichen wird mit einer Show, einem Plan oder einem Buch</translation>
     </message>
     <message>
         <source>no further fixture is called &apos;%1&apos;</source>

@@ -68,7 +68,12 @@ std::string folder_name(const fs::path& path) {
 Result<std::optional<scene::Book>> old_book(const fs::path& folder) {
     const fs::path file = folder / "book.json";
     std::error_code code;
-    if (!fs::exists(file, code)) return std::optional<scene::Book>();
+    if (!fs::exists(file, code)) {
+        if (fs::is_directory(folder, code) && !fs::exists(folder / "show.toml", code))
+            return Error{"has neither show.toml nor book.json: to compare with is a show, a plot or a book",
+                         folder.string()};
+        return std::optional<scene::Book>();
+    }
     TRY(const std::string text, read_text_file(file, scene::kMostBookBytes));
     TRY(scene::Book book, scene::book_from(text, file.string()));
     return std::optional<scene::Book>(std::move(book));

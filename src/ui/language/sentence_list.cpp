@@ -756,6 +756,8 @@ constexpr const char* kSentences[] = {
     QT_TRANSLATE_NOOP("Sentence", "the show has %1 cameras, no number %2"),
     QT_TRANSLATE_NOOP("Sentence", "the camera stands at what it looks at"),
     QT_TRANSLATE_NOOP("Sentence", "the show has no fixtures"),
+    QT_TRANSLATE_NOOP("Sentence",
+                      "has neither show.toml nor book.json: to compare with is a show, a plot or a book"),
     QT_TRANSLATE_NOOP("Sentence", "no further fixture is called '%1'"),
     QT_TRANSLATE_NOOP("Sentence", "no fixture is called '%1'"),
     QT_TRANSLATE_NOOP("Sentence", "the show has no cue: add one"),

@@ -10,8 +10,9 @@
 namespace ghost::ui {
 namespace {
 
-constexpr int kPatience_ms = 20000; // a bake finishes its batch of lights
-constexpr int kShortPatience_ms = 3000;
+constexpr int kPatience_ms = 20000;     // a bake finishes its batch of lights
+constexpr int kLastPatience_ms = 10000; // the window is gone already: a book takes its folder away
+constexpr int kKilled_ms = 3000;
 constexpr std::size_t kMostKept = 50; // that are over
 constexpr qsizetype kLongestLine = 4096;
 constexpr qsizetype kMostRemarks = 100;
@@ -59,9 +60,9 @@ Jobs::~Jobs() {
     if (!process_) return;
     process_->disconnect(this);
     process_->terminate();
-    if (!process_->waitForFinished(kShortPatience_ms)) {
+    if (!process_->waitForFinished(kLastPatience_ms)) {
         process_->kill();
-        process_->waitForFinished(kShortPatience_ms);
+        process_->waitForFinished(kKilled_ms);
     }
 }
 

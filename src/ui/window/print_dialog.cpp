@@ -16,6 +16,8 @@
 #include <QJsonArray>
 #include <QJsonObject>
 #include <QScreen>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QUrl>
 #include <QVBoxLayout>
 
@@ -69,6 +71,17 @@ QString words_of(const QJsonObject& entry, const QFontMetrics& font) {
     return lines.join('\n');
 }
 
+// As wide as it asks, as high as there is room.
+QScrollArea* scrolled(QWidget* content, QWidget* parent) {
+    auto* area = new QScrollArea(parent);
+    area->setWidget(content);
+    area->setWidgetResizable(true);
+    area->setFrameShape(QFrame::NoFrame);
+    area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    area->setMinimumWidth(content->minimumSizeHint().width() + area->verticalScrollBar()->sizeHint().width());
+    return area;
+}
+
 } // namespace
 
 void add_print_actions(Actions& actions, AppModel& app, QWidget& window) {
@@ -98,7 +111,10 @@ void add_print_actions(Actions& actions, AppModel& app, QWidget& window) {
 PrintDialog::PrintDialog(What what, AppModel& app, Actions& actions, QWidget* parent)
     : QDialog(parent), what_(what), app_(app), actions_(actions) {
     setWindowTitle(what == What::paper ? translated("Print", "Paperwork") : translated("Print", "Cue book"));
-    auto* form = new QFormLayout;
+    // On a small display the choices scroll; the buttons and the progress below them are always seen.
+    auto* choices = new QWidget;
+    auto* form = new QFormLayout(choices);
+    form->setContentsMargins(0, 0, 0, 0);
     folder_ = new QLineEdit(this);
     folder_->setAccessibleName(translated("Print", "Folder to make"));
     auto* choose = new QPushButton(translated("Print", "Choose..."), this);
@@ -152,8 +168,7 @@ PrintDialog::PrintDialog(What what, AppModel& app, Actions& actions, QWidget* pa
     buttons->addWidget(open_, 1, 0);
     buttons->addWidget(open_folder_, 1, 1);
     auto* left = new QVBoxLayout;
-    left->addLayout(form);
-    left->addStretch(1);
+    left->addWidget(scrolled(choices, this), 1);
     left->addWidget(said_);
     left->addWidget(bar_);
     left->addLayout(buttons);
@@ -284,12 +299,14 @@ void PrintDialog::name_show() {
     if (folder_->text() == proposed_) folder_->setText(beside); // else somebody typed it
     proposed_ = beside;
     if (!camera_) return;
+    const QVariant chosen = camera_->currentData(); // an edit opens the show anew
     camera_->clear();
-    camera_->addItem(translated("Print", "The first camera"), "");
+    camera_->addItem(translated("Print", "Where the cues put the picture"), "");
     for (const scene::Camera& camera : app_.show()->cameras) {
         const QString name = QString::fromStdString(camera.name);
         camera_->addItem(name, name);
     }
+    camera_->setCurrentIndex(std::max(camera_->findData(chosen), 0));
 }
 
 bool PrintDialog::takes_marks() const {

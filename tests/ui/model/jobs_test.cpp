@@ -107,6 +107,17 @@ TEST(Jobs, cancelling_ends_what_runs_and_what_waits) {
     EXPECT_TRUE(shop.jobs->all().empty());
 }
 
+TEST(Jobs, who_goes_waits_for_what_tidies_up) {
+    Workshop shop("trap 'sleep 4; echo tidy > \"$3\"; exit 1' TERM; echo 'warning: begun'; while :; do sleep "
+                  "0.1; done\n");
+    const QString file = shop.folder.filePath("tidied");
+    shop.jobs->start("Book", {file});
+    for (int i = 0; i < 500 && shop.jobs->all()[0].remark_count == 0; ++i)
+        QCoreApplication::processEvents(QEventLoop::AllEvents, 20);
+    shop.jobs.reset();
+    EXPECT_TRUE(QFile::exists(file));
+}
+
 TEST(Jobs, a_program_that_is_not_there_is_a_failure) {
     Jobs jobs("/nonexistent/ghostlight");
     jobs.start("Nothing", {"bake"});

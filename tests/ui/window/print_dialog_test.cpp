@@ -84,6 +84,20 @@ TEST(PrintDialog, a_book_has_a_language_units_and_marks) {
     EXPECT_TRUE(book.options().contains("--marks \"cues.csv\"")) << book.options().toStdString();
 }
 
+TEST(PrintDialog, a_book_is_seen_from_where_the_cues_put_it_or_from_a_camera_by_name) {
+    Printing in;
+    const PrintDialog& book = in.dialog("cue-book");
+    QComboBox& camera = *in.named<QComboBox>(book, "Camera");
+    EXPECT_EQ(camera.itemText(0), "Where the cues put the picture");
+    EXPECT_FALSE(book.options().contains("--view")) << book.options().toStdString();
+    ASSERT_EQ(camera.count(), 1 + static_cast<int>(in.window.app().show()->cameras.size()));
+    const QString first = QString::fromStdString(in.window.app().show()->cameras.front().name);
+    camera.setCurrentIndex(camera.findData(first));
+    EXPECT_TRUE(book.options().contains("--view \"" + first + "\"")) << book.options().toStdString();
+    in.open("show.toml");
+    EXPECT_EQ(camera.currentData(), first) << "an edit leaves what is chosen";
+}
+
 TEST(PrintDialog, a_german_window_makes_german_books) {
     set_language("de");
     {
@@ -124,13 +138,26 @@ TEST(PrintDialog, says_in_plain_words_that_no_folder_is_named) {
     EXPECT_TRUE(in.window.app().jobs().all().empty());
 }
 
+// 1366x768 at twice the size, less a frame and a title.
 TEST(PrintDialog, fits_a_small_display) {
-    Printing in;
-    for (const char* const name : {"paperwork", "cue-book"}) {
-        const QSize least = in.dialog(name).minimumSizeHint();
-        EXPECT_LE(least.width(), 760) << name;
-        EXPECT_LE(least.height(), 560) << name;
+    for (const char* const words : {"en", "de"}) {
+        set_language(words);
+        Printing in;
+        for (const char* const name : {"paperwork", "cue-book"}) {
+            PrintDialog& dialog = in.dialog(name);
+            const QSize least = dialog.minimumSizeHint();
+            EXPECT_LE(least.width(), 643) << name << " " << words;
+            EXPECT_LE(least.height(), 344) << name << " " << words;
+            dialog.resize(643, 344);
+            settle();
+            for (const QPushButton* const button : dialog.findChildren<QPushButton*>()) {
+                if (button->visibleRegion().isEmpty()) continue; // one that is scrolled to
+                const QRect place(button->mapTo(&dialog, QPoint()), button->size());
+                EXPECT_TRUE(dialog.rect().contains(place)) << name << " " << button->text().toStdString();
+            }
+        }
     }
+    set_language("en");
 }
 
 TEST(PrintPreview, names_tables_as_the_page_does_and_says_what_they_leave_empty) {
