@@ -37,16 +37,16 @@ Buffer reply_of_a_sender() {
     return bytes;
 }
 
+Buffer artnet(std::initializer_list<int> rest) {
+    Buffer bytes = {'A', 'r', 't', '-', 'N', 'e', 't', 0};
+    for (const int byte : rest) bytes.push_back(static_cast<std::uint8_t>(byte));
+    return bytes;
+}
+
 // One valid packet of each kind.
 std::vector<Sample> samples() {
     const std::array<std::uint8_t, 16> cid{9, 9};
     const std::vector<std::uint16_t> universes(100, 7);
-    const Buffer art = {'A', 'r', 't', '-', 'N', 'e', 't', 0};
-    const auto artnet = [&](std::initializer_list<int> rest) {
-        Buffer bytes = art;
-        for (const int byte : rest) bytes.push_back(static_cast<std::uint8_t>(byte));
-        return bytes;
-    };
     const auto reply = build_poll_reply({.ports = {{1}}});
     return {
         {"sACN levels", Protocol::sacn, build_sacn(1, Buffer(512, 200), 1, {150, cid, "Other"})},
