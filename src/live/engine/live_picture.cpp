@@ -15,7 +15,7 @@ namespace {
 
 constexpr int kMostPixels = 8192;
 // Of the time of a picture that moves, for the next one's size beside it.
-constexpr double kBesideShare = 0.3, kLeastBeside_ms = 10;
+constexpr double kBesideShare = 0.6, kLeastBeside_ms = 10;
 constexpr float kWork_lux = 100;
 constexpr float kWorkAtEv0_lux = 5; // stages are dark: makes what reflects a twelfth middle grey
 
