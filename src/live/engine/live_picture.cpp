@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "live/engine/live_picture.h"
 
-#include "base/steady_time.h"
 #include "gpu/device_memory.h"
 #include "live/session/picture_room.h"
 
@@ -14,8 +13,6 @@ namespace ghost::app {
 namespace {
 
 constexpr int kMostPixels = 8192;
-// Of the time of a picture that moves, for the next one's size beside it.
-constexpr double kBesideShare = 0.6, kLeastBeside_ms = 10;
 constexpr float kWork_lux = 100;
 constexpr float kWorkAtEv0_lux = 5; // stages are dark: makes what reflects a twelfth middle grey
 
@@ -35,7 +32,6 @@ void LivePicture::begin() {
     from_ = {};
     work_lux_ = 0;
     flies_ = false;
-    moving_ms_ = 0;
     whole_for_ = {};
     haze_ = {};
 }
@@ -52,30 +48,22 @@ LivePicture::Drawn LivePicture::draw(Session& session, const Wanted& wanted, con
         drawn.changed = true;
     }
     // What was left out goes into the picture when the camera has come to rest.
-    bool flies = now_s - flew_s_ < kRest_s;
+    const bool flies = now_s - flew_s_ < kRest_s;
+    const bool lands = flies != std::exchange(flies_, flies);
+    sees_else_ = sees_else_ || lands;
     const bool moves = wanted.moves || drawn.changed;
     fit_into_memory(wanted.camera, session);
-    scene::Camera camera = camera_for(wanted, moves, flies);
-    bool uses_coarse =
-        moves && wanted.quality.percent == 0 && pace(flies).level().coarse_light && !wanted.is_measured;
-    bool waits = false; // for what is prepared
-    if (!moves) {
-        if (!session.prepare(camera, stop)) {
-            drawn.statistics.stopped = true;
-            return drawn;
-        }
-    } else if (!flies && !prepare_beside(session, camera)) {
-        waits = true;
-        flies = flies_;
-        uses_coarse = session.relighter->is_coarse() && !wanted.is_measured;
-        camera.width = from_.width;
-        camera.height = from_.height;
+    const scene::Camera camera = camera_for(wanted, moves);
+    if (!moves && !session.prepare(camera, stop)) {
+        drawn.statistics.stopped = true;
+        return drawn;
     }
+    const bool uses_coarse =
+        moves && wanted.quality.percent == 0 && pace().level().coarse_light && !wanted.is_measured;
     const bool is_other_size =
         camera.width != session.relighter->width() || camera.height != session.relighter->height();
-    const bool turns = flies != std::exchange(flies_, flies);
-    is_unusual_ = waits || turns || is_other_size || uses_coarse != session.relighter->is_coarse();
-    if (std::exchange(sees_else_, false) || turns || !same_view(camera, from_)) {
+    is_unusual_ = lands || is_other_size || uses_coarse != session.relighter->is_coarse();
+    if (std::exchange(sees_else_, false) || !same_view(camera, from_)) {
         if (is_other_size) probe_.forget_meter();
         session.look_from(camera, flies, uses_coarse);
         session.relighter->set_exposure(wanted.camera.ev100, wanted.camera.auto_exposure);
@@ -88,20 +76,7 @@ LivePicture::Drawn LivePicture::draw(Session& session, const Wanted& wanted, con
     session.relighter->set_tone(session.options.tone);
     session.relighter->set_most_lights(moves ? lights_in(1000.0 / wanted.quality.fps) : 0);
     drawn.statistics = session.draw(wanted.air_s, moves ? std::function<bool()>{} : stop);
-    if (moves) moving_ms_ = drawn.statistics.draw_ms;
     return drawn;
-}
-
-// The stage from where the camera stands, at the next picture's size and with all its detail, takes what
-// several pictures do. False: not yet, and the picture that moves goes on as it was.
-bool LivePicture::prepare_beside(Session& session, const scene::Camera& camera) const {
-    scene::Camera of_this_size = camera;
-    of_this_size.width = from_.width;
-    of_this_size.height = from_.height;
-    if (!same_view(of_this_size, from_)) return true; // there is none that could go on
-    if (!flies_ && same_view(camera, from_)) return true;
-    const double end_s = steady_now_s() + 1e-3 * std::max(kBesideShare * moving_ms_, kLeastBeside_ms);
-    return session.prepare(camera, [end_s] { return steady_now_s() >= end_s; });
 }
 
 bool LivePicture::set_work_light(const Wanted& wanted, const Session& session) {
@@ -135,10 +110,10 @@ void LivePicture::fit_into_memory(const scene::Camera& wanted, Session& session)
                       " MB, there are " + std::to_string(room >> 20) + "): it is drawn with " + text(whole));
 }
 
-scene::Camera LivePicture::camera_for(const Wanted& wanted, bool moves, bool flies) const {
+scene::Camera LivePicture::camera_for(const Wanted& wanted, bool moves) const {
     scene::Camera camera = wanted.camera;
     const double share = wanted.quality.percent > 0 ? std::sqrt(wanted.quality.percent / 100.0)
-                         : moves                    ? pace(flies).level().sides
+                         : moves                    ? pace().level().sides
                                                     : 1.0;
     const auto pixels = [&](int whole) {
         return std::clamp(static_cast<int>(std::lround(whole * share)), kLeastPixels, kMostPixels);

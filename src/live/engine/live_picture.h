@@ -68,10 +68,9 @@ public:
 private:
     bool set_work_light(const Wanted& wanted, const Session& session);
     void fit_into_memory(const scene::Camera& wanted, Session& session);
-    scene::Camera camera_for(const Wanted& wanted, bool moves, bool flies) const;
-    bool prepare_beside(Session& session, const scene::Camera& camera) const;
+    scene::Camera camera_for(const Wanted& wanted, bool moves) const;
     int lights_in(double frame_ms) const;
-    const Pace& pace(bool flies) const { return paces_[flies ? 1 : 0]; }
+    const Pace& pace() const { return paces_[flies_ ? 1 : 0]; }
 
     MessageBoard& messages_;
     PictureProbe& probe_;
@@ -80,12 +79,11 @@ private:
     glm::ivec2 whole_{0}, whole_for_{0}; // pixels that memory holds of those that are wanted; of which wish
     scene::Camera from_;                 // of the one that was drawn last
     bool sees_else_ = false;             // since then
-    bool is_unusual_ = false; // it has another size or light, or will; or its camera begins or ends to fly
-    double flew_s_ = -1;      // when its camera moved last
-    bool flies_ = false;      // the last one was drawn as Session::look_from says
+    bool is_unusual_ = false;            // it has another size, or a camera that begins or ends to fly
+    double flew_s_ = -1;                 // when its camera moved last
+    bool flies_ = false;                 // drawn as Session::look_from says
     float work_lux_ = 0;
-    double moving_ms_ = 0; // what the last picture that moved took
-    double light_ms_ = 0;  // of a light that turns, where many do; 0: not known
+    double light_ms_ = 0; // of a light that turns, where many do; 0: not known
 };
 
 } // namespace ghost::app

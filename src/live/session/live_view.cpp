@@ -244,7 +244,7 @@ render::Surroundings LiveView::surroundings() const {
 LiveView::Seen LiveView::look_from(const scene::Camera& camera, bool parks, bool flies) {
     camera_ = camera;
     bool is_anew = false;
-    if (takes_parked(camera, flies)) {
+    if (!fits(g_buffer_, camera)) {
         std::swap(g_buffer_, parked_);
         if (!parks) parked_.reset();
         is_anew = std::exchange(parked_is_anew_, false);
@@ -261,14 +261,8 @@ LiveView::Seen LiveView::look_from(const scene::Camera& camera, bool parks, bool
     return Seen::anew;
 }
 
-bool LiveView::takes_parked(const scene::Camera& camera, bool flies) const {
-    const auto is_ready = [&](const std::unique_ptr<render::GBuffer>& one) {
-        return fits(one, camera) && one->shows(pose_of(camera, flies), surroundings());
-    };
-    return !fits(g_buffer_, camera) || (is_ready(parked_) && !is_ready(g_buffer_));
-}
-
 bool LiveView::prepare(const scene::Camera& camera, const std::function<bool()>& stop) {
+    CHECK(!fits(g_buffer_, camera));
     if (!fits(parked_, camera)) {
         parked_.reset();
         parked_ = std::make_unique<render::GBuffer>(device_, camera.width, camera.height);

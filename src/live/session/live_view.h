@@ -52,12 +52,10 @@ public:
     // its size; else it goes first, for memory may not hold both.
     // flies: the next one will be from elsewhere, so the stage may be drawn in less detail.
     Seen look_from(const scene::Camera& camera, bool parks = false, bool flies = false);
-    // Draws the G-buffer of a picture of another size, or of a camera that no longer flies, which takes the
-    // place of the parked one, so that look_from need not; what is shown stays. False: stop ended it
-    // (GBuffer::draw), and the next one goes on.
+    // Draws the G-buffer of a picture of another size, which takes the place of the parked one, so that
+    // look_from need not; what is shown stays. False: stop ended it (GBuffer::draw), and the next one goes
+    // on.
     bool prepare(const scene::Camera& camera, const std::function<bool()>& stop);
-    // look_from takes up the parked G-buffer: the shown one has another size, or was not drawn from there.
-    bool takes_parked(const scene::Camera& camera, bool flies) const;
     // Another G-buffer from there, with less detail; what is shown stays. False: stop ended it.
     bool draw_beside(const scene::Camera& camera, render::GBuffer& into,
                      const std::function<bool()>& stop) const {

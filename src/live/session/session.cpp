@@ -246,7 +246,7 @@ bool Session::parks(const scene::Camera& from) const {
 }
 
 bool Session::prepare(const scene::Camera& from, const std::function<bool()>& stop) {
-    if (!live || !relighter || (has_size(relighter, from) && !flies)) return true;
+    if (!live || !relighter || has_size(relighter, from)) return true;
     if (!has_size(parked, from)) {
         parked.reset();
         parked_other_light.reset();
@@ -258,9 +258,8 @@ bool Session::prepare(const scene::Camera& from, const std::function<bool()>& st
 
 void Session::look_from(const scene::Camera& from, bool goes_on, std::optional<bool> coarse) {
     flies = goes_on;
-    live->set_atmosphere(atmosphere());
     const bool is_coarse = coarse.value_or(relighter && relighter->is_coarse());
-    const bool stays = !live->takes_parked(from, flies);
+    const bool stays = has_size(relighter, from);
     bool keeps = options.parks;
     if (!stays) {
         std::swap(relighter, parked);
@@ -276,6 +275,7 @@ void Session::look_from(const scene::Camera& from, bool goes_on, std::optional<b
         }
     }
     const bool has_other_maps = !stays && std::exchange(maps_changed_since_parked, false);
+    live->set_atmosphere(atmosphere());
     const bool is_anew = live->look_from(from, keeps, flies) == LiveView::Seen::anew || has_other_maps;
     if (!relighter) relighter = make_relighter(from, is_coarse);
     for (const auto& one : {relighter.get(), other_light.get()}) {

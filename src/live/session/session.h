@@ -116,8 +116,8 @@ struct Session {
     // less detail. coarse: use_coarse_light, too; nothing: as it is.
     void look_from(const scene::Camera& from, bool goes_on = false, std::optional<bool> coarse = {});
     // Before a look_from that does not go on, where the picture before is parked: does what takes long, for
-    // as long as stop is false, also for a picture of the same size that went on. False: it was stopped; what
-    // is shown stays, and the next one goes on from there.
+    // as long as stop is false. False: it was stopped; what is shown stays, and the next one goes on from
+    // there.
     bool prepare(const scene::Camera& from, const std::function<bool()>& stop);
     void drop_parked();
     // Gives back all memory of the device. Nothing is drawn any more; show and rig stay.

@@ -7,8 +7,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-
 namespace ghost::app {
 namespace {
 
@@ -91,41 +89,6 @@ TEST_F(LivePictureTest, what_rests_can_be_stopped_before_it_is_begun) {
     EXPECT_FALSE(stopped.from);
     EXPECT_EQ(session_->relighter->width(), before.width);
     EXPECT_EQ(draw(3, false).from->width, 160);
-}
-
-// The stage with all its detail takes longer than a picture: it comes in pieces, and then it is what it would
-// have been at once.
-TEST_F(LivePictureTest, a_camera_that_lands_while_lamps_move_is_prepared_beside) {
-    open();
-    ASSERT_TRUE(draw(1, true).from);
-    double now_s = 2;
-    int waited = 0;
-    std::optional<scene::Camera> from;
-    for (; session_->flies && waited < 1000; ++waited, now_s += 0.01) {
-        from = draw(now_s, true).from;
-        ASSERT_TRUE(from) << "a picture each time";
-        EXPECT_LT(from->width, 160);
-    }
-    EXPECT_FALSE(session_->flies) << waited;
-    const image::Image8 landed = session_->relighter->picture();
-
-    SessionOptions options = session_->options;
-    options.show = DemoCopy::show();
-    const auto other = must(open_session(options));
-    other->look_from(*from, false, session_->relighter->is_coarse());
-    other->relighter->set_quality(picture_.haze(true));
-    other->draw();
-    const image::Image8 at_once = other->relighter->picture();
-    ASSERT_EQ(landed.samples.size(), at_once.samples.size());
-    double sum = 0;
-    for (std::size_t i = 0; i < landed.samples.size(); ++i)
-        sum += std::abs(static_cast<int>(landed.samples[i]) - static_cast<int>(at_once.samples[i]));
-    EXPECT_LT(sum / static_cast<double>(landed.samples.size()), 0.5);
-
-    // The next flight begins at once.
-    camera_.position_m.x += 1;
-    EXPECT_TRUE(draw(now_s, true).changed);
-    EXPECT_TRUE(session_->flies);
 }
 
 TEST_F(LivePictureTest, work_light_changes_it_and_goes_with_the_exposure) {
