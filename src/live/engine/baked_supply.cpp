@@ -69,7 +69,9 @@ void BakedSupply::look(const Session& session, const scene::Camera& stands, cons
     if (stamp == stamp_ || reading_.valid()) return;
     view_.reset();
     // Reading and uploading what is not shown would only take time from the live picture.
-    if (stands.foreign_passes.empty()) {
+    std::error_code code;
+    if (stands.foreign_passes.empty() &&
+        std::filesystem::exists(scene::passes_folder(show, stands.name) / "manifest.json", code)) {
         why_not_ = why_too_coarse(stands, {wanted.camera.width, wanted.camera.height});
         if (!why_not_.empty()) return;
     }
