@@ -121,11 +121,14 @@ std::string swapped_text(const std::set<int>& arriving, const std::set<int>& mis
         if (all_come(sent)) return text(sent(*missing.begin()), "the same numbers in another order");
     }
     for (const int from : arriving) {
+        if (from < offset) continue;
         const int by = from - *missing.begin();
-        const char* const how = by % 256 == 0              ? "another Net"
-                                : by % 16 == 0 && by < 256 ? "another Sub-Net"
-                                                           : nullptr;
-        if (how && from >= offset && all_come([&](int to) { return to + by; })) return text(from, how);
+        const std::array<int, 3> a = parts_of(from - offset), b = parts_of(*missing.begin() - offset);
+        const char* const how = a[2] != b[2]   ? nullptr
+                                : a[1] == b[1] ? "another Net"
+                                : a[0] == b[0] ? "another Sub-Net"
+                                               : nullptr;
+        if (how && all_come([&](int to) { return to + by; })) return text(from, how);
     }
     return "";
 }

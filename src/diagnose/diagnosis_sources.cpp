@@ -421,19 +421,19 @@ namespace {
 
 void add_timecodes(const dmx::Statistics& statistics, Sentences& out) {
     constexpr double kSame_s = 1; // two cards of one sender, two machines that follow one clock
-    const auto& [newest, other] = statistics.followed_timecodes;
+    const auto& [followed, other] = statistics.followed_timecodes;
     const auto runs = [&](const std::optional<dmx::TimeCodeStatus>& one) {
         return one && statistics.time - one->arrival < kSilent;
     };
-    if (!runs(newest) || !runs(other)) return;
-    const double apart_s = std::chrono::duration<double>(newest->arrival - other->arrival).count();
-    if (std::abs(dmx::timecode_seconds(newest->time) - dmx::timecode_seconds(other->time) - apart_s) <=
+    if (!runs(followed) || !runs(other)) return;
+    const double apart_s = std::chrono::duration<double>(followed->arrival - other->arrival).count();
+    if (std::abs(dmx::timecode_seconds(followed->time) - dmx::timecode_seconds(other->time) - apart_s) <=
         kSame_s)
         return;
     // By which came first in the alphabet, so that the sentence stands still.
-    const bool one_machine = newest->from == other->from;
+    const bool one_machine = followed->from == other->from;
     std::set<std::string> both;
-    for (const auto& one : {newest, other})
+    for (const auto& one : {followed, other})
         both.insert(dmx::address_text(one->from) + (one_machine ? ":" + std::to_string(one->from_port) : ""));
     out.push_back(
         note(Trouble::two_timecodes, "two Art-Net time codes run, of " + joined(both) +

@@ -202,6 +202,8 @@ TEST(diagnosis, NumbersInAnotherOrder) {
     expect_words(said({257, 258, 259, 260}, {1, 2, 3, 4}),
                  {"Net:Sub-Net:Universe 0:0:0, the show wants 1:0:0: another Net"});
     expect_words(said({18}, {34}), {"0:2:1, the show wants 0:1:1: another Sub-Net"});
+    const std::string both = said({1}, {1 + 256 + 16}); // Net and Sub-Net
+    EXPECT_EQ(both.find("Net:Sub-Net"), std::string::npos) << both;
     const std::string mixed = said({2, 257}, {17, 40}); // 17 is 0:1:0, of which 2 alone is an exchange
     EXPECT_EQ(mixed.find("Net:Sub-Net"), std::string::npos) << mixed;
 }

@@ -38,7 +38,6 @@ void Intake::listen_to(std::vector<std::uint16_t> universes) {
     if (!options_.universes.empty() && !options_.accept_others) merge_.keep_only(options_.universes);
     merge_.ask_for(options_.universes);
     std::erase_if(unlisted_, [&](const auto& entry) { return accepts(entry.first.first); });
-    std::erase_if(tellers_, [&](const auto& entry) { return !unlisted_.contains(entry.first); });
 }
 
 void Intake::take_levels(Packet& packet, const Arrival& arrival) {
@@ -48,21 +47,21 @@ void Intake::take_levels(Packet& packet, const Arrival& arrival) {
         const auto key = std::make_pair(packet.universe, packet.protocol);
         const auto place = unlisted_.find(key);
         if (place == unlisted_.end() && unlisted_.size() >= kMaxUnlisted) return;
-        UnlistedUniverse& entry = place == unlisted_.end() ? unlisted_[key] : place->second;
-        entry.universe = packet.universe;
-        entry.protocol = packet.protocol;
-        Teller& teller = tellers_[key];
+        Unlisted& unlisted = place == unlisted_.end() ? unlisted_[key] : place->second;
+        UnlistedUniverse& told = unlisted.told;
         const auto sender = std::tie(packet.source_name, packet.from);
-        const auto named = std::tie(entry.name, entry.from);
-        if (entry.packets > 0 && sender != named) teller.other = arrival.time;
-        if (entry.packets == 0 || sender <= named || arrival.time - teller.named > kSenderForgotten) {
-            entry.name = packet.source_name;
-            entry.from = packet.from;
-            teller.named = arrival.time;
+        const auto named = std::tie(told.name, told.from);
+        if (told.packets > 0 && sender != named) unlisted.other = arrival.time;
+        if (told.packets == 0 || sender <= named || arrival.time - unlisted.named > kSenderForgotten) {
+            told.name = packet.source_name;
+            told.from = packet.from;
+            unlisted.named = arrival.time;
         }
-        entry.has_others = teller.other && arrival.time - *teller.other <= kSenderForgotten;
-        entry.age = arrival.time;
-        ++entry.packets;
+        told.universe = packet.universe;
+        told.protocol = packet.protocol;
+        told.has_others = unlisted.other && arrival.time - *unlisted.other <= kSenderForgotten;
+        told.age = arrival.time;
+        ++told.packets;
         return;
     }
     packet.from_port = arrival.from_port;
@@ -136,9 +135,10 @@ void Intake::take_elsewhere(Bytes bytes, const Arrival& arrival) {
         const auto is_wanted = [&](std::uint16_t universe) {
             return std::binary_search(options_.universes.begin(), options_.universes.end(), universe);
         };
+        if (!is_wanted(packet->universe)) return;
         const auto other = std::find_if(elsewhere_.begin(), elsewhere_.end(),
                                         [&](const auto& entry) { return !is_wanted(entry.second.universe); });
-        if (!is_wanted(packet->universe) || other == elsewhere_.end()) return;
+        if (other == elsewhere_.end()) return;
         elsewhere_.erase(other);
     }
     ElsewhereUniverse& entry = elsewhere_[key];
@@ -156,8 +156,8 @@ void Intake::tick(std::chrono::nanoseconds now) {
     merge_.tick(now);
     discovery_.tick(now);
     nodes_.tick(now);
-    std::erase_if(unlisted_, [&](const auto& entry) { return now - entry.second.age > kUnlistedForgotten; });
-    std::erase_if(tellers_, [&](const auto& entry) { return !unlisted_.contains(entry.first); });
+    std::erase_if(unlisted_,
+                  [&](const auto& entry) { return now - entry.second.told.age > kUnlistedForgotten; });
     std::erase_if(elsewhere_, [&](const auto& entry) { return now - entry.second.age > kUnlistedForgotten; });
 }
 
@@ -185,8 +185,8 @@ void Intake::report(Statistics& statistics, std::chrono::nanoseconds now) const 
     statistics.discovered.insert(statistics.discovered.end(), nodes.begin(), nodes.end());
     statistics.unlisted_universes.clear();
     for (const auto& [key, entry] : unlisted_) {
-        statistics.unlisted_universes.push_back(entry);
-        statistics.unlisted_universes.back().age = now - entry.age;
+        statistics.unlisted_universes.push_back(entry.told);
+        statistics.unlisted_universes.back().age = now - entry.told.age;
     }
     statistics.elsewhere_universes.clear();
     for (const auto& [key, entry] : elsewhere_) {

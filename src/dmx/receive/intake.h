@@ -23,7 +23,7 @@ struct IntakeOptions {
     MergeOptions merge;
     // Levels for this universe are about to be merged.
     std::function<void(std::uint16_t universe)> before_levels;
-    // Of stream 0 of one sender, until it is silent for a second.
+    // Of stream 0 that of one sender, until it is silent for a second; of other streams all.
     std::function<void(const TimeCode&, std::chrono::nanoseconds arrival)> on_timecode;
 };
 
@@ -64,15 +64,14 @@ private:
 
     IntakeOptions options_;
     Merge merge_;
-    Discovery discovery_, nodes_;                                             // of sACN, of Art-Net
-    Statistics counted_;                                                      // the counters of packets
-    std::map<std::pair<std::uint16_t, Protocol>, UnlistedUniverse> unlisted_; // age: arrival
-    // When the sender that unlisted_ names was heard last, and another one.
-    struct Teller {
-        std::chrono::nanoseconds named{0};
-        std::optional<std::chrono::nanoseconds> other;
+    Discovery discovery_, nodes_; // of sACN, of Art-Net
+    Statistics counted_;          // the counters of packets
+    struct Unlisted {
+        UnlistedUniverse told;                         // age: arrival
+        std::chrono::nanoseconds named{0};             // when the sender that it names was heard last,
+        std::optional<std::chrono::nanoseconds> other; // and another one
     };
-    std::map<std::pair<std::uint16_t, Protocol>, Teller> tellers_;
+    std::map<std::pair<std::uint16_t, Protocol>, Unlisted> unlisted_;
     std::map<std::tuple<unsigned, std::uint16_t, Protocol>, ElsewhereUniverse> elsewhere_; // age: arrival
 };
 

@@ -68,6 +68,7 @@ void BakedSupply::look(const Session& session, const scene::Camera& stands, cons
     const std::string stamp = stamp_of(show, stands);
     if (stamp == stamp_ || reading_.valid()) return;
     view_.reset();
+    stamp_.clear();
     // Reading and uploading what is not shown would only take time from the live picture.
     std::error_code code;
     if (stands.foreign_passes.empty() &&

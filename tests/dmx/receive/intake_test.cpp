@@ -94,6 +94,43 @@ struct Rig {
     }
 };
 
+TEST(Intake, what_is_wanted_finds_a_place_among_what_comes_elsewhere) {
+    Intake intake{patched()}; // universes 1, 2
+    const auto send = [&](std::uint16_t universe) {
+        intake.take_elsewhere(build_sacn(universe, Buffer(512, 9), 1, {100, {1}, "Desk"}),
+                              arrival(Protocol::sacn, kDesk, 100s));
+    };
+    for (std::uint16_t universe = 100; universe < 100 + kMaxUnlisted + 50; ++universe) send(universe);
+    send(1);
+    Statistics statistics;
+    intake.report(statistics, 100s);
+    EXPECT_EQ(statistics.elsewhere_universes.size(), kMaxUnlisted);
+    EXPECT_TRUE(std::any_of(statistics.elsewhere_universes.begin(), statistics.elsewhere_universes.end(),
+                            [](const ElsewhereUniverse& one) { return one.universe == 1; }));
+}
+
+TEST(Intake, who_sends_what_nobody_patched_stands_still) {
+    Intake intake{patched()};
+    const auto told = [&](nanoseconds now) {
+        Statistics statistics;
+        intake.report(statistics, now);
+        return statistics.unlisted_universes.at(0);
+    };
+    const auto send = [&](const char* name, nanoseconds now) {
+        (void)intake.take(build_sacn(9, Buffer(512, 9), 1, {100, {1}, name}),
+                          arrival(Protocol::sacn, kDesk, now));
+    };
+    send("B", 100s);
+    EXPECT_FALSE(told(100s).has_others);
+    for (const char* name : {"A", "B"}) send(name, 101s);
+    EXPECT_EQ(told(101s).name, "A") << "not the newest";
+    EXPECT_TRUE(told(101s).has_others);
+    send("B", 105s); // A is gone
+    send("B", 109s);
+    EXPECT_EQ(told(109s).name, "B");
+    EXPECT_FALSE(told(109s).has_others);
+}
+
 TEST(Intake, one_time_code_is_followed_until_it_is_silent) {
     std::vector<int> followed;
     IntakeOptions options = patched();
