@@ -6029,6 +6029,10 @@ Bitte den Namen des Ordners prüfen.</translation>
         <translation>%1. Mit --artnet-offset %2 haben die ersten Port-Adressen kein Universum</translation>
     </message>
     <message>
+        <source>%1. sACN has universes 1 to 63999: a desk that counts from 0 has to count from 1</source>
+        <translation>%1. sACN hat die Universen 1 bis 63999: Ein Pult, das ab 0 zählt, muss ab 1 zählen</translation>
+    </message>
+    <message>
         <source>%1 fixtures on %2 (&apos;%3&apos;, ...), no levels arrive there (in Art-Net: Port-Address %4)</source>
         <translation>%1 Geräte auf %2 (&apos;%3&apos;, ...), dort kommen keine Werte an (in Art-Net: Port-Adresse %4)</translation>
     </message>

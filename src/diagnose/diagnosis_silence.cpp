@@ -187,8 +187,9 @@ void add_nothing(const dmx::Statistics& statistics, const Arriving& arriving, co
                  Sentences& out) {
     const dmx::Listening& listening = statistics.listening;
     if (is_unreadable(statistics)) {
-        const bool has_bad_universe =
-            statistics.recent.refused[static_cast<std::size_t>(dmx::Drop::bad_universe)] > 0;
+        const auto bad_universe = static_cast<std::size_t>(dmx::Drop::bad_universe);
+        const bool has_bad_universe = statistics.recent.refused[bad_universe] > 0;
+        const bool of_sacn = statistics.recent.refused_sacn[bad_universe] > 0;
         out.push_back(problem(
             Trouble::nothing_arrives,
             "packets arrive, and none of them can be read as levels: " + refused_text(statistics) +
@@ -196,6 +197,8 @@ void add_nothing(const dmx::Statistics& statistics, const Arriving& arriving, co
                      ? ". With --artnet-offset " + std::to_string(listening.artnet_offset) +
                            " the first Port-Addresses have no universe"
                      : "") +
+                (of_sacn ? ". sACN has universes 1 to 63999: a desk that counts from 0 has to count from 1"
+                         : "") +
                 ". If they are the desk's, it has to be mended; if not: is its output on, and is it in this "
                 "network? We listen on " +
                 addresses_text(statistics)));

@@ -20,7 +20,9 @@ namespace ghost::dmx {
 namespace {
 
 constexpr std::size_t kReadBytes = 64u << 10;
-constexpr int kWaiting = 64; // connections that nobody has accepted yet
+// Connections that nobody has accepted yet: twenty browsers open 120 at once, and who finds no place tries
+// again a second later, behind others.
+constexpr int kWaiting = 256;
 
 // IPv4 addresses as mapped ones: one kind of socket for both.
 sockaddr_in6 name_of(const IpAddress& address, std::uint16_t port, unsigned interface_index = 0) {

@@ -48,6 +48,16 @@ TEST(diagnosis, NothingArrives) {
     EXPECT_EQ(silent.troubles(), Troubles{Trouble::nothing_arrives});
     expect_words(silent.text(Trouble::nothing_arrives),
                  {"packets arrive, and none of them", "260 too_short", "is its output on"});
+    auto& recent = silent.statistics.recent;
+    recent.refused = {};
+    recent.refused[static_cast<std::size_t>(dmx::Drop::bad_universe)] = 260;
+    recent.refused_sacn = recent.refused;
+    expect_words(silent.text(Trouble::nothing_arrives),
+                 {"260 bad_universe", "a desk that counts from 0 has to count from 1"});
+    recent.refused_sacn = {};
+    EXPECT_EQ(silent.text(Trouble::nothing_arrives).find("count from 1"), std::string::npos)
+        << "Art-Net has a universe 0";
+    recent.refused = {};
     silent.statistics.recent.refused[static_cast<std::size_t>(dmx::Drop::too_short)] = 1;
     expect_words(silent.text(Trouble::nothing_arrives),
                  {"though 4 other packets did", "1 too_short", "is the desk's output on"});

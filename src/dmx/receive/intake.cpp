@@ -74,6 +74,24 @@ void Intake::take_levels(Packet& packet, const Arrival& arrival) {
     merge_.feed(packet, arrival.time);
 }
 
+void Intake::take_timecode(const TimeCodeStatus& now) {
+    auto& [followed, other] = counted_.followed_timecodes;
+    const bool is_same = followed && followed->from == now.from && followed->from_port == now.from_port;
+    // Some open a socket for each packet: of one machine a port that spoke once is left for one that is new.
+    const bool moves_on = followed && !is_same && followed->from == now.from && followed_in_a_row_ == 1 &&
+                          now.from_port != left_timecode_port_;
+    const bool is_silent = followed && now.arrival - followed->arrival > kTimecodeSilent;
+    if (followed && !is_same && !moves_on && !is_silent) {
+        other = now;
+        return;
+    }
+    if (is_silent && !is_same) other.reset();
+    if (moves_on) left_timecode_port_ = followed->from_port;
+    followed_in_a_row_ = is_same ? followed_in_a_row_ + 1 : 1;
+    followed = now;
+    if (options_.on_timecode) options_.on_timecode(now.time, now.arrival);
+}
+
 std::optional<PollPacket> Intake::take(Bytes bytes, const Arrival& arrival) {
     const bool sacn = arrival.protocol == Protocol::sacn;
     Parsed parsed =
@@ -91,7 +109,6 @@ std::optional<PollPacket> Intake::take(Bytes bytes, const Arrival& arrival) {
     } else if (Packet* packet = std::get_if<Packet>(&parsed)) {
         take_levels(*packet, arrival);
     } else if (const auto* passing = std::get_if<Passing>(&parsed)) {
-        refuse(Drop::bad_start_code);
         merge_.pass(*passing);
     } else if (const auto* sync = std::get_if<SyncPacket>(&parsed)) {
         merge_.feed(*sync, arrival.time);
@@ -104,16 +121,7 @@ std::optional<PollPacket> Intake::take(Bytes bytes, const Arrival& arrival) {
             if (options_.on_timecode) options_.on_timecode(*time, arrival.time);
             return std::nullopt;
         }
-        auto& [followed, other] = counted_.followed_timecodes;
-        const bool is_followed =
-            !followed || (followed->from == arrival.from && followed->from_port == arrival.from_port);
-        if (is_followed || arrival.time - followed->arrival > kTimecodeSilent) {
-            if (!is_followed) other.reset();
-            followed = counted_.timecode;
-            if (options_.on_timecode) options_.on_timecode(*time, arrival.time);
-        } else {
-            other = counted_.timecode;
-        }
+        take_timecode(*counted_.timecode);
     } else if (const auto* trigger = std::get_if<Trigger>(&parsed)) {
         remember(counted_.triggers, TriggerStatus{0, *trigger, arrival.from, arrival.time});
     } else if (const auto* poll = std::get_if<PollPacket>(&parsed)) {

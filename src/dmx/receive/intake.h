@@ -61,11 +61,14 @@ public:
 private:
     bool accepts(std::uint16_t universe) const;
     void take_levels(Packet& packet, const Arrival& arrival);
+    void take_timecode(const TimeCodeStatus& now); // of stream 0
 
     IntakeOptions options_;
     Merge merge_;
-    Discovery discovery_, nodes_; // of sACN, of Art-Net
-    Statistics counted_;          // the counters of packets
+    Discovery discovery_, nodes_;          // of sACN, of Art-Net
+    Statistics counted_;                   // the counters of packets
+    std::uint64_t followed_in_a_row_ = 0;  // time codes of the port that is followed
+    std::uint16_t left_timecode_port_ = 0; // of that machine, followed before
     struct Unlisted {
         UnlistedUniverse told;                         // age: arrival
         std::chrono::nanoseconds named{0};             // when the sender that it names was heard last,

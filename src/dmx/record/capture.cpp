@@ -86,10 +86,7 @@ private:
             sacn ? parse_sacn(datagram.payload, datagram.from_ipv4)
                  : parse_artnet(datagram.payload, datagram.from_ipv4, options_.artnet_offset);
         if (const Drop* drop = std::get_if<Drop>(&parsed)) ++drops_[*drop];
-        if (const Passing* passing = std::get_if<Passing>(&parsed)) {
-            ++drops_[Drop::bad_start_code];
-            merge_.pass(*passing);
-        }
+        if (const Passing* passing = std::get_if<Passing>(&parsed)) merge_.pass(*passing);
         if (const auto* sync = std::get_if<SyncPacket>(&parsed)) {
             merge_.feed(*sync, now_);
             if (first_ && merge_.pending()) {

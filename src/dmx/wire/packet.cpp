@@ -23,6 +23,8 @@ const char* notice_name(Notice notice) {
         return "timecode";
     case Notice::trigger:
         return "trigger";
+    case Notice::other_start_code:
+        return "other_start_code";
     case Notice::other:
     case Notice::kCount:
         break;
@@ -44,8 +46,6 @@ const char* drop_name(Drop drop) {
         return "bad_priority";
     case Drop::bad_universe:
         return "bad_universe";
-    case Drop::bad_start_code:
-        return "bad_start_code";
     case Drop::bad_value:
     case Drop::kCount:
         break;
@@ -60,6 +60,7 @@ std::optional<Notice> notice_of(const Parsed& parsed) {
     if (std::holds_alternative<PollPacket>(parsed)) return Notice::poll;
     if (std::holds_alternative<TimeCode>(parsed)) return Notice::timecode;
     if (std::holds_alternative<Trigger>(parsed)) return Notice::trigger;
+    if (std::holds_alternative<Passing>(parsed)) return Notice::other_start_code;
     if (const Notice* notice = std::get_if<Notice>(&parsed)) return *notice;
     return std::nullopt;
 }

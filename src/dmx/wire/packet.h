@@ -104,17 +104,26 @@ struct Trigger {
 std::string trigger_text(const Trigger& trigger); // "macro 5"
 
 // Packets that are fine but carry no levels, by kind.
-enum class Notice : std::uint8_t { sync, discovery, poll, poll_reply, timecode, trigger, other, kCount };
+enum class Notice : std::uint8_t {
+    sync,
+    discovery,
+    poll,
+    poll_reply,
+    timecode,
+    trigger,
+    other_start_code, // (told of by Passing) neither levels nor per-address priority
+    other,
+    kCount
+};
 // Packets we drop.
 enum class Drop : std::uint8_t {
-    too_short,      // ends before its header does, or with none of the levels that it declares
-    not_ours,       // identifier of the protocol is missing
-    bad_version,    // Art-Net protocol version below 14
-    bad_vector,     // sACN layer vector or address type that is no level data
-    bad_priority,   // above 200
-    bad_universe,   // outside 1..63999 after numbering
-    bad_start_code, // (told of by Passing) neither levels nor per-address priority
-    bad_value,      // a field outside its range: page, time
+    too_short,    // ends before its header does, or with none of the levels that it declares
+    not_ours,     // identifier of the protocol is missing
+    bad_version,  // Art-Net protocol version below 14
+    bad_vector,   // sACN layer vector or address type that is no level data
+    bad_priority, // above 200
+    bad_universe, // outside 1..63999 after numbering
+    bad_value,    // a field outside its range: page, time
     kCount
 };
 const char* notice_name(Notice notice);

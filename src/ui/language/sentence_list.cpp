@@ -246,6 +246,8 @@ constexpr const char* kSentences[] = {
     QT_TRANSLATE_NOOP("Sentence", "%1, also for %2 universes around"),
     QT_TRANSLATE_NOOP("Sentence", "%1, also for %2 universe around"),
     QT_TRANSLATE_NOOP("Sentence", "%1. With --artnet-offset %2 the first Port-Addresses have no universe"),
+    QT_TRANSLATE_NOOP("Sentence", "%1. sACN has universes 1 to 63999: a desk that counts from 0 has to count "
+                                  "from 1"),
     QT_TRANSLATE_NOOP("Sentence",
                       "%1 fixtures on %2 ('%3', ...), no levels arrive there (in Art-Net: Port-Address %4)"),
     QT_TRANSLATE_NOOP("Sentence",

@@ -55,6 +55,7 @@ std::vector<Sample> samples() {
          build_sacn(1, Buffer(512, 200), 1, {150, cid, "Other"}, {0, 0, 50})},
         {"sACN priorities", Protocol::sacn,
          build_sacn(1, Buffer(512, 200), 1, {150, cid, "Other"}, {0, 0xDD})},
+        {"sACN text", Protocol::sacn, build_sacn(1, Buffer(512, 200), 1, {150, cid, "Other"}, {0, 0x17})},
         {"sACN goodbye", Protocol::sacn, build_sacn(1, {}, 1, {150, cid, "Other"}, {0x40})},
         {"sACN sync", Protocol::sacn, build_sacn_sync(50, 1, cid)},
         {"sACN discovery", Protocol::sacn, build_sacn_discovery(universes, 0, 1, cid, "Other")},
@@ -142,12 +143,13 @@ TEST(Intake, one_time_code_is_followed_until_it_is_silent) {
         by.from_port = port;
         (void)intake.take(artnet({0x00, 0x97, 0, 14, 0, 0, 4, 3, 2, hours, 1}), by);
     };
+    send(1, kDesk, 6454);
     for (int k = 0; k < 3; ++k, now += 40ms) {
         send(1, kDesk, 6454);
         send(2, kDesk, 40000); // another program of that machine
         send(3, kOther, 6454);
     }
-    EXPECT_EQ(followed, (std::vector<int>{1, 1, 1}));
+    EXPECT_EQ(followed, (std::vector<int>{1, 1, 1, 1}));
     Statistics statistics;
     intake.report(statistics, now);
     ASSERT_TRUE(statistics.followed_timecodes[1]);
@@ -155,6 +157,33 @@ TEST(Intake, one_time_code_is_followed_until_it_is_silent) {
     now += 1100ms;
     send(3, kOther, 6454);
     EXPECT_EQ(followed.back(), 3);
+}
+
+TEST(Intake, a_time_code_that_opens_a_socket_for_each_packet_is_one) {
+    std::vector<int> followed;
+    IntakeOptions options = patched();
+    options.on_timecode = [&](const TimeCode& time, nanoseconds) { followed.push_back(time.frames); };
+    Intake intake{options};
+    nanoseconds now = 100s;
+    const auto send = [&](std::uint8_t frames, std::uint16_t port) {
+        Arrival by = arrival(Protocol::artnet, kDesk, now += 40ms);
+        by.from_port = port;
+        (void)intake.take(artnet({0x00, 0x97, 0, 14, 0, 0, frames, 3, 2, 1, 1}), by);
+    };
+    for (std::uint8_t k = 0; k < 5; ++k) send(k, static_cast<std::uint16_t>(40000 + k));
+    EXPECT_EQ(followed, (std::vector<int>{0, 1, 2, 3, 4}));
+    Statistics statistics;
+    intake.report(statistics, now);
+    EXPECT_FALSE(statistics.followed_timecodes[1]) << "nobody is told of two";
+    // Two programs that begin in one moment: after one jump it stays with one.
+    for (std::uint8_t k = 0; k < 3; ++k) {
+        send(20, 50000);
+        send(21, 50001);
+    }
+    EXPECT_EQ(followed, (std::vector<int>{0, 1, 2, 3, 4, 20, 21, 21, 21}));
+    intake.report(statistics, now);
+    ASSERT_TRUE(statistics.followed_timecodes[1]);
+    EXPECT_EQ(statistics.followed_timecodes[1]->time.frames, 20);
 }
 
 TEST(Intake, valid_packets_are_all_understood) {
@@ -165,7 +194,7 @@ TEST(Intake, valid_packets_are_all_understood) {
         for (const std::uint64_t count : statistics.drops) EXPECT_EQ(count, 0u) << sample.name;
     }
     const Statistics statistics = rig.statistics();
-    EXPECT_EQ(statistics.packets_sacn, 7u);
+    EXPECT_EQ(statistics.packets_sacn, 8u);
     EXPECT_EQ(statistics.packets_artnet, 7u);
     ASSERT_TRUE(statistics.timecode.has_value());
     EXPECT_EQ(timecode_text(statistics.timecode->time), "01:02:03:04 EBU 25");

@@ -100,6 +100,7 @@ TEST(Sacn, options_and_start_codes) {
     ASSERT_TRUE(std::holds_alternative<Passing>(parsed));
     EXPECT_EQ(std::get<Passing>(parsed).universe, 1);
     EXPECT_EQ(std::get<Passing>(parsed).sequence, bytes[111]);
+    EXPECT_EQ(notice_of(parsed), Notice::other_start_code) << "a packet that is fine, E1.11 knows many";
 }
 
 TEST(Sacn, no_slots_at_all_is_a_packet) {

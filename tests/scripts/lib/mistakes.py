@@ -207,6 +207,8 @@ MISTAKES = [
      ["bad_priority"]),
     ("offset_0", "--artnet-offset 0, and the desk sends the first Port-Address", {"options": ["--artnet-offset", "0"], "send": [artnet(0)]}, "nothing_arrives",
      ["--artnet-offset 0", "no universe"]),
+    ("universe_0", "the desk counts its universes from 0: sACN of universe 0 by unicast", {"send": [sacn(0, to="10.93.0.2")]}, "nothing_arrives",
+     ["bad_universe", "sACN has universes 1 to 63999", "count from 1"]),
     ("firewall_later", "a firewall of ours begins to drop what came", {"once": True, "send": [sacn(to="10.93.0.2")], "firewall_after_s": 5}, "lost",
      ["nothing comes for universe 1 any more", "firewall"]),
     ("cut", "packets that are cut on the way", {"send": [sacn(cut=100)]}, "wrong_length", ["more levels", "universe 1"]),
