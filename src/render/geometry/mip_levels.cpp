@@ -6,7 +6,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <glm/glm.hpp>
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
 #include <utility>
 
 namespace ghost::render {
@@ -27,31 +30,39 @@ struct Tables {
     }
 };
 
+void each_row(int height, const std::function<void(int y)>& row) {
+    constexpr int kRowsTogether = 16;
+    tbb::parallel_for(tbb::blocked_range<int>(0, height, kRowsTogether), [&](const auto& rows) {
+        for (int y = rows.begin(); y < rows.end(); ++y) row(y);
+    });
+}
+
 image::Image8 halved(const image::Image8& from, bool srgb) {
     static const Tables tables;
     image::Image8 to(std::max(from.width / 2, 1), std::max(from.height / 2, 1), from.channels);
-    for (int y = 0; y < to.height; ++y)
-        for (int x = 0; x < to.width; ++x) {
-            const int x0 = std::min(2 * x, from.width - 1);
-            const int x1 = std::min(2 * x + 1, from.width - 1);
-            const int y0 = std::min(2 * y, from.height - 1);
-            const int y1 = std::min(2 * y + 1, from.height - 1);
-            const std::array<const std::uint8_t*, 4> texels{from.at(x0, y0), from.at(x1, y0), from.at(x0, y1),
-                                                            from.at(x1, y1)};
-            std::uint8_t* mean = to.at(x, y);
+    each_row(to.height, [&](int y) {
+        const std::uint8_t* const above = from.at(0, std::min(2 * y, from.height - 1));
+        const std::uint8_t* const below = from.at(0, std::min(2 * y + 1, from.height - 1));
+        std::uint8_t* mean = to.at(0, y);
+        for (int x = 0; x < to.width; ++x, mean += from.channels) {
+            const int left = from.channels * std::min(2 * x, from.width - 1);
+            const int right = from.channels * std::min(2 * x + 1, from.width - 1);
             for (int c = 0; c < from.channels; ++c) {
+                const std::array<std::uint8_t, 4> texels{above[left + c], above[right + c], below[left + c],
+                                                         below[right + c]};
                 if (srgb && c < 3) {
                     float light = 0;
-                    for (const std::uint8_t* texel : texels) light += tables.to_light[texel[c]];
+                    for (const std::uint8_t texel : texels) light += tables.to_light[texel];
                     mean[c] = tables.to_srgb[static_cast<std::size_t>(
                         std::lround(light * 0.25f * static_cast<float>(kSteps)))];
                 } else {
                     int sum = 2;
-                    for (const std::uint8_t* texel : texels) sum += texel[c];
+                    for (const std::uint8_t texel : texels) sum += texel;
                     mean[c] = static_cast<std::uint8_t>(sum / 4);
                 }
             }
         }
+    });
     return to;
 }
 
@@ -66,24 +77,24 @@ struct Normals {
     }
 };
 
-Normals normals_of(const image::Image8& pixels) {
-    Normals normals{pixels.width, pixels.height, {}};
-    for (int y = 0; y < pixels.height; ++y)
-        for (int x = 0; x < pixels.width; ++x) {
-            const std::uint8_t* texel = pixels.at(x, y);
-            const glm::vec3 map = glm::vec3(texel[0], texel[1], texel[2]) / 127.5f - 1.0f;
-            const float length = glm::length(map);
-            normals.mean.push_back(length > 1e-3f ? map / length : glm::vec3(0, 0, 1));
-        }
-    return normals;
+glm::vec3 normal_at(const image::Image8& pixels, int x, int y) {
+    const std::uint8_t* texel = pixels.at(std::min(x, pixels.width - 1), std::min(y, pixels.height - 1));
+    const glm::vec3 map = glm::vec3(texel[0], texel[1], texel[2]) / 127.5f - 1.0f;
+    const float length = glm::length(map);
+    return length > 1e-3f ? map / length : glm::vec3(0, 0, 1);
 }
 
-Normals halved(const Normals& from) {
-    Normals to{std::max(from.width / 2, 1), std::max(from.height / 2, 1), {}};
-    for (int y = 0; y < to.height; ++y)
+// Of those that normal(x, y) gives; beyond its edges it repeats them.
+template <class Normal>
+Normals halved(int width, int height, const Normal& normal) {
+    Normals to{std::max(width / 2, 1), std::max(height / 2, 1), {}};
+    to.mean.resize(static_cast<std::size_t>(to.width) * static_cast<std::size_t>(to.height));
+    each_row(to.height, [&](int y) {
+        glm::vec3* mean = to.mean.data() + static_cast<std::ptrdiff_t>(y) * to.width;
         for (int x = 0; x < to.width; ++x)
-            to.mean.push_back(0.25f * (from.at(2 * x, 2 * y) + from.at(2 * x + 1, 2 * y) +
-                                       from.at(2 * x, 2 * y + 1) + from.at(2 * x + 1, 2 * y + 1)));
+            mean[x] = 0.25f * (normal(2 * x, 2 * y) + normal(2 * x + 1, 2 * y) + normal(2 * x, 2 * y + 1) +
+                               normal(2 * x + 1, 2 * y + 1));
+    });
     return to;
 }
 
@@ -93,13 +104,16 @@ std::uint8_t to_byte(float value) {
 
 image::Image8 encoded(const Normals& normals) {
     image::Image8 pixels(normals.width, normals.height, 4);
-    for (std::size_t k = 0; k < normals.mean.size(); ++k) {
-        const float length = std::clamp(glm::length(normals.mean[k]), 1e-3f, 1.0f);
-        const glm::vec3 unit = normals.mean[k] / length;
-        std::uint8_t* texel = pixels.samples.data() + 4 * k;
-        for (int c = 0; c < 3; ++c) texel[c] = to_byte(0.5f + 0.5f * unit[c]);
-        texel[3] = to_byte(std::sqrt((1.0f - length) / length));
-    }
+    each_row(normals.height, [&](int y) {
+        std::uint8_t* texel = pixels.at(0, y);
+        for (int x = 0; x < normals.width; ++x, texel += 4) {
+            const glm::vec3& mean = normals.at(x, y);
+            const float length = std::clamp(glm::length(mean), 1e-3f, 1.0f);
+            const glm::vec3 unit = mean / length;
+            for (int c = 0; c < 3; ++c) texel[c] = to_byte(0.5f + 0.5f * unit[c]);
+            texel[3] = to_byte(std::sqrt((1.0f - length) / length));
+        }
+    });
     return pixels;
 }
 
@@ -108,13 +122,17 @@ image::Image8 encoded(const Normals& normals) {
 std::vector<image::Image8> mip_levels(const image::Image8& pixels, TextureUse use, int first) {
     std::vector<image::Image8> levels;
     const bool bumps = use == TextureUse::bumps;
-    Normals normals = bumps ? normals_of(pixels) : Normals{};
+    Normals normals;
     image::Image8 level = pixels;
     if (bumps)
         for (std::size_t k = 3; k < level.samples.size(); k += 4) level.samples[k] = 0;
     for (int k = 0;; ++k) {
         const bool last = level.width == 1 && level.height == 1;
-        if (bumps && !last) normals = halved(normals);
+        if (bumps && !last)
+            normals = k == 0 ? halved(pixels.width, pixels.height,
+                                      [&](int x, int y) { return normal_at(pixels, x, y); })
+                             : halved(normals.width, normals.height,
+                                      [&](int x, int y) { return normals.at(x, y); });
         image::Image8 next = last    ? image::Image8()
                              : bumps ? encoded(normals)
                                      : halved(level, use == TextureUse::colour);

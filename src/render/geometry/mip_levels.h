@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Mip levels of an RGBA picture, each the mean of 2x2 texels of the one above, down to 1x1. Where bumps are
 // too small to be seen their mean is smooth, yet they still scatter what is reflected: that is kept in alpha,
-// as the square root of the variance of their slopes (Toksvig, Mipmapping Normal Maps, 2005). Pure.
+// as the square root of the variance of their slopes (Toksvig, Mipmapping Normal Maps, 2005). Pure; on all
+// cores.
 
 #include "image/image.h"
 
