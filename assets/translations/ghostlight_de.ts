@@ -4053,6 +4053,26 @@ Bitte den Namen des Ordners prüfen.</translation>
         <translation>die meisten Pakete von %1 auf %2 kommen nach einer Lücke in ihren Nummern: es zählt mehrere Universen in einer Reihe, oder so viele gehen unterwegs verloren</translation>
     </message>
     <message>
+        <source>packets of %1 on %2 come in another order than they were sent (two paths, Wi-Fi): %3 of %4 a second are late and dropped</source>
+        <translation>Pakete von %1 auf %2 kommen in anderer Reihenfolge, als sie gesendet wurden (zwei Wege, WLAN): %3 von %4 in der Sekunde sind verspätet und werden verworfen</translation>
+    </message>
+    <message>
+        <source>%1. By %2 only programs of this machine are heard (--interface)</source>
+        <translation>%1. Über %2 sind nur Programme dieses Rechners zu hören (--interface)</translation>
+    </message>
+    <message>
+        <source>%1. Somebody asks who wants Art-Net (ArtPoll) and is answered: where that is the desk, a firewall of its machine on UDP 6454 may keep our answer from it, or it has no output for our universes</source>
+        <translation>%1. Jemand fragt, wer Art-Net will (ArtPoll), und bekommt Antwort: Ist es das Pult, so hält vielleicht eine Firewall seines Rechners auf UDP 6454 unsere Antwort von ihm fern, oder es hat keinen Ausgang für unsere Universen</translation>
+    </message>
+    <message>
+        <source>%1 comes from more than one source of equal priority, %2, and they differ on up to %3: %4. %5 is silent, and counts until %6 have gone by</source>
+        <translation>%1 kommt von mehr als einer Quelle gleicher Priorität, %2, und sie unterscheiden sich um bis zu %3: %4. %5 schweigt und zählt, bis %6 vergangen sind</translation>
+    </message>
+    <message>
+        <source>%1 come from more than one source of equal priority, %2, and they differ on up to %3: %4. %5 is silent, and counts until %6 have gone by</source>
+        <translation>%1 kommen von mehr als einer Quelle gleicher Priorität, %2, und sie unterscheiden sich um bis zu %3: %4. %5 schweigt und zählt, bis %6 vergangen sind</translation>
+    </message>
+    <message>
         <source>%1. Art-Net is not listened for (--protocols)</source>
         <translation>%1. Auf Art-Net wird nicht gehört (--protocols)</translation>
     </message>
@@ -5837,8 +5857,8 @@ Bitte den Namen des Ordners prüfen.</translation>
         <translation>%1 gepatchten Kanal</translation>
     </message>
     <message>
-        <source>levels of %1 on %2 wait for a synchronisation packet that does not come; after %3 at most they show without</source>
-        <translation>Werte von %1 auf %2 warten auf ein Synchronisationspaket, das nicht kommt; nach höchstens %3 gelten sie ohne</translation>
+        <source>levels of %1 on %2 wait for a synchronisation packet that does not come, or seldom; after %3 at most they show without</source>
+        <translation>Werte von %1 auf %2 warten auf ein Synchronisationspaket, das nicht oder selten kommt; nach höchstens %3 gelten sie ohne</translation>
     </message>
     <message>
         <source>%1 sends %2 to the multicast group of another universe; the levels are used as those of %3</source>
@@ -5933,8 +5953,8 @@ Bitte den Namen des Ordners prüfen.</translation>
         <translation>%1 kommt von mehr als einer Quelle gleicher Priorität, %2, und sie haben bis zu %3 zu verschiedenen Zeiten oben: %4. Spielen beide diese Lampen, ist alles gut; ist eine ein Backup, so läuft es nicht im Takt: ihm eine niedrigere Priorität geben</translation>
     </message>
     <message>
-        <source>%1. To tell them apart: where &apos;%2&apos; shows packets to an address of ours, to its broadcast or to the group of a universe of ours (239.255.0.1, ff18::.. for 1), a firewall or the reverse path filter of this machine drops them, or their sender has an address of ours; to another broadcast, the masks differ; to another group, it is another universe; where it shows none at all, they do not get here: a cable, another VLAN, a switch that holds multicast back (IGMP snooping without a querier), or a desk that is silent</source>
-        <translation>%1. So unterscheidet man sie: wo &apos;%2&apos; Pakete an eine Adresse von uns, an deren Broadcast oder an die Gruppe eines Universums von uns zeigt (239.255.0.1, ff18::.. für 1), verwirft sie eine Firewall oder der Rückwegfilter (rp_filter) dieses Rechners, oder ihr Sender hat eine Adresse von uns; an einen anderen Broadcast, dann sind die Masken verschieden; an eine andere Gruppe, dann ist es ein anderes Universum; wo es gar keine zeigt, kommen sie nicht bis hierher: ein Kabel, ein anderes VLAN, ein Switch, der Multicast zurückhält (IGMP-Snooping ohne Querier), oder ein Pult, das schweigt</translation>
+        <source>%1. To tell them apart: where &apos;%2&apos; shows packets to an address of ours, to its broadcast or to the group of a universe of ours (239.255.0.1, ff18::.. for 1), a firewall or the reverse path filter of this machine drops them, or their sender has an address of ours; to another broadcast, the masks differ; to another group, it is another universe; where it shows none at all, they do not get here: a cable, another VLAN, a switch that holds multicast back (IGMP snooping without a querier), a desk that sends to other addresses alone (unicast), or one that is silent</source>
+        <translation>%1. So unterscheidet man sie: wo &apos;%2&apos; Pakete an eine Adresse von uns, an deren Broadcast oder an die Gruppe eines Universums von uns zeigt (239.255.0.1, ff18::.. für 1), verwirft sie eine Firewall oder der Rückwegfilter (rp_filter) dieses Rechners, oder ihr Sender hat eine Adresse von uns; an einen anderen Broadcast, dann sind die Masken verschieden; an eine andere Gruppe, dann ist es ein anderes Universum; wo es gar keine zeigt, kommen sie nicht bis hierher: ein Kabel, ein anderes VLAN, ein Switch, der Multicast zurückhält (IGMP-Snooping ohne Querier), ein Pult, das nur an andere Adressen sendet (Unicast), oder eines, das schweigt</translation>
     </message>
     <message>
         <source>there is no DMX: %1 and no desk is listened to; all channels keep their defaults, and %2</source>

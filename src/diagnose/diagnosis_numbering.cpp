@@ -33,16 +33,17 @@ std::string rate_text(double rate_hz) {
 void add_numbering(const dmx::Statistics& statistics, Sentences& out) {
     std::map<std::pair<std::string, std::string>, std::set<int>> doubles; // who, and where else
     std::map<std::pair<std::string, std::string>, std::set<int>> shared;  // who, and by which ports
-    std::map<std::string, std::set<int>> late, gaps;
-    std::map<std::string, std::pair<double, double>> rates_hz; // of the late ones: late, all
+    std::map<std::string, std::set<int>> late, gaps, disordered;
+    std::map<std::string, std::pair<double, double>>
+        rates_hz; // of the late ones and the disordered: late, all
     for (const dmx::SourceStatus& source : statistics.sources) {
         const std::string who = source_text(source);
         if (source.double_from)
             doubles[{who, dmx::address_text(*source.double_from)}].insert(source.universe);
         else if (source.is_shared)
             shared[{who, ports_text(source)}].insert(source.universe);
-        else if (is_mostly_late(source)) {
-            late[who].insert(source.universe);
+        else if (is_mostly_late(source) || source.is_reordered) {
+            (is_mostly_late(source) ? late : disordered)[who].insert(source.universe);
             auto& [of_late, of_all] = rates_hz[who];
             of_late = std::max(of_late, source.late_hz);
             of_all = std::max(of_all, source.late_hz + source.rate_hz);
@@ -77,6 +78,13 @@ void add_numbering(const dmx::Statistics& statistics, Sentences& out) {
                            "most packets of " + who + " on " + universes_text(universes) +
                                " come after a gap in their numbers: it counts several universes in one row, "
                                "or as many get lost on the way",
+                           universes));
+    for (const auto& [who, universes] : disordered)
+        out.push_back(note(Trouble::numbering,
+                           "packets of " + who + " on " + universes_text(universes) +
+                               " come in another order than they were sent (two paths, Wi-Fi): " +
+                               rate_text(rates_hz[who].first) + " of " + rate_text(rates_hz[who].second) +
+                               " a second are late and dropped",
                            universes));
     for (const auto& [who, universes] : late)
         out.push_back(

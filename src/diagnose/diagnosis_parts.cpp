@@ -48,7 +48,8 @@ Arriving::Arriving(const dmx::Statistics& statistics) {
         add(one.universe, one.protocol, source_text(one.name, dmx::address_text(one.from), one.protocol));
     for (const dmx::DiscoveredSource& one : statistics.discovered) {
         if (one.protocol == dmx::Protocol::artnet && !nothing()) continue;
-        const Listed entry{source_text(one.name, dmx::address_text(one.from), one.protocol), one.protocol};
+        const Listed entry{source_text(one.name, dmx::address_text(one.from), one.protocol), one.protocol,
+                           one.age};
         for (const int universe : *one.universes) listed.emplace(universe, entry);
     }
 }
@@ -197,15 +198,8 @@ bool is_foreign(const dmx::IpAddress& address, const dmx::Statistics& statistics
                         });
 }
 
-bool synchronisation_is_late(const dmx::SourceStatus& source, const std::vector<dmx::SyncStatus>& sync) {
-    return std::any_of(sync.begin(), sync.end(), [&](const dmx::SyncStatus& one) {
-        if (one.universe != source.sync_universe || one.age <= kSyncIsLate ||
-            one.source.protocol != source.protocol)
-            return false;
-        const std::string id = dmx::source_id(one.source);
-        const bool any_input = source.protocol == dmx::Protocol::artnet && source.id.starts_with(id + "/");
-        return source.id == id || any_input;
-    });
+bool synchronisation_is_late(const dmx::SourceStatus& source) {
+    return source.held && source.held_for > kSyncIsLate;
 }
 
 std::string port_addresses_hint(const std::set<int>& universes, const dmx::Listening& listening) {

@@ -24,6 +24,7 @@ struct Arriving {
     struct Listed {
         std::string who;
         dmx::Protocol protocol;
+        std::chrono::nanoseconds age; // of the list
     };
     // In the lists of sACN sources (universe discovery); where no levels arrive at all also what senders of
     // Art-Net name in their replies, for they send to those alone that asked for it.
@@ -63,7 +64,7 @@ std::string unaddressed_text(const dmx::Statistics& statistics);
 std::string broadcasts_text(const dmx::Statistics& statistics);
 // An address of none of our networks.
 bool is_foreign(const dmx::IpAddress& address, const dmx::Statistics& statistics);
-bool synchronisation_is_late(const dmx::SourceStatus& source, const std::vector<dmx::SyncStatus>& sync);
+bool synchronisation_is_late(const dmx::SourceStatus& source);
 // " (Art-Net Port-Address 0:0:7)" where it is one universe, else nothing.
 std::string port_addresses_hint(const std::set<int>& universes, const dmx::Listening& listening);
 

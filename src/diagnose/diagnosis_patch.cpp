@@ -65,7 +65,7 @@ std::optional<Shift> find_shift(dmx::Protocol protocol, const dmx::Statistics& s
         beside += wanted.contains(universe + by) ? 0 : 1;
         if (missing.contains(universe + by)) shift.missing.insert(universe + by);
     }
-    if (matches <= right.size()) return std::nullopt;
+    if (matches <= right.size() || 2 * matches < wanted.size()) return std::nullopt;
     if (matches < wanted.size() || beside > 0) shift.right = right;
     return shift;
 }

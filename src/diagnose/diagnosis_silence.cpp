@@ -37,6 +37,7 @@ namespace {
 
 // Fewer of late that cannot be read may be anybody's.
 constexpr std::uint64_t kManyRefused = 20;
+constexpr std::chrono::seconds kListedAfter{1}; // the last levels: who announces then is still there
 
 std::uint64_t sum(const dmx::Refused& refused) {
     return std::accumulate(refused.begin(), refused.end(), std::uint64_t{0});
@@ -117,13 +118,25 @@ void add_held_back(const dmx::Statistics& statistics, const Arriving& arriving, 
                    Sentences& out) {
     if (sum(statistics.recent.refused_sacn) >= kManyRefused) return; // it comes, and cannot be read
     std::map<std::string, std::set<int>> held;
+    // What came until now is lost, and add_lost says why; lists outlive their sender by 25 s.
+    const auto is_old = [&](int universe, const Arriving::Listed& one) {
+        const auto lost =
+            std::find_if(statistics.lost.begin(), statistics.lost.end(),
+                         [&](const dmx::LostUniverse& other) { return other.universe == universe; });
+        const bool is_silent = std::any_of(
+            statistics.sources.begin(), statistics.sources.end(), [&](const dmx::SourceStatus& source) {
+                return source.universe == universe && source.state == dmx::SourceState::silent;
+            });
+        return is_silent || (lost != statistics.lost.end() && one.age + kListedAfter > lost->silent);
+    };
     const auto is_exchanged = [&](int universe, const std::string& who) { // add_patch says so
         const auto found = arriving.universes.find(bytes_exchanged(universe));
         return found != arriving.universes.end() && found->second == who;
     };
     for (const auto& [universe, one] : arriving.listed)
         if (one.protocol == dmx::Protocol::sacn && patch.has(universe) && !arriving.has(universe) &&
-            !is_without_levels(statistics, universe) && !is_exchanged(universe, one.who))
+            !is_without_levels(statistics, universe) && !is_exchanged(universe, one.who) &&
+            !is_old(universe, one))
             held[one.who].insert(universe);
     for (const auto& [who, universes] : held)
         out.push_back(problem(
@@ -168,7 +181,9 @@ std::string polls_text(const dmx::Statistics& statistics) {
                "some "
                "desks send to those alone that answer";
     return recent.polls_refused < recent.polls
-               ? ""
+               ? ". Somebody asks who wants Art-Net (ArtPoll) and is answered: where that is the desk, a "
+                 "firewall of its machine on UDP 6454 may keep our answer from it, or it has no output for "
+                 "our universes"
                : ". Somebody asks who wants Art-Net (ArtPoll) and gets no answer, for it asks from another "
                  "network, too often or with too many others: OLA and some desks send to those alone that "
                  "answer";
@@ -218,6 +233,13 @@ void add_nothing(const dmx::Statistics& statistics, const Arriving& arriving, co
     if (!listening.sacn || !listening.artnet)
         text +=
             ". " + std::string(listening.sacn ? "Art-Net" : "sACN") + " is not listened for (--protocols)";
+    if (const auto chosen = std::find_if(statistics.interfaces.begin(), statistics.interfaces.end(),
+                                         [&](const dmx::NetInterface& one) {
+                                             return one.loopback && (one.name == listening.interface ||
+                                                                     listening.interface.starts_with("127."));
+                                         });
+        chosen != statistics.interfaces.end())
+        text += ". By " + chosen->name + " only programs of this machine are heard (--interface)";
     text += unaddressed_text(statistics);
     text += reverse_path_text(statistics);
     if (const std::string broadcasts = listening.artnet ? broadcasts_text(statistics) : "";
@@ -240,7 +262,8 @@ void add_nothing(const dmx::Statistics& statistics, const Arriving& arriving, co
             "another broadcast, the masks differ; to another group, it is another universe; where "
             "it "
             "shows none at all, they do not get here: a cable, another VLAN, a switch that holds multicast "
-            "back (IGMP snooping without a querier), or a desk that is silent";
+            "back (IGMP snooping without a querier), a desk that sends to other addresses alone (unicast), "
+            "or one that is silent";
     out.push_back(problem(Trouble::nothing_arrives, text));
 }
 

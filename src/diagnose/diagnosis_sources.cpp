@@ -282,6 +282,8 @@ std::size_t raised_by(const dmx::SourceStatus& down, const dmx::SourceStatus& li
     return channels;
 }
 
+constexpr std::chrono::milliseconds kArtnetRests{4500}; // unchanged levels come every 4 s
+
 // Two that have the same say. What they send may be the same (a backup), or not (two that fight).
 void add_two_desks(const dmx::Statistics& statistics, const PatchMap& patch, Sentences& out) {
     std::map<int, Sources> by_universe;
@@ -297,6 +299,7 @@ void add_two_desks(const dmx::Statistics& statistics, const PatchMap& patch, Sen
         std::set<std::string> dark; // who sends nothing above 0
         std::set<std::string> down; // whose dimmers are at 0, and others' are not
         std::size_t raised = 0;     // by these, of lamps that others light
+        std::string silent;         // who sends nothing any more, and counts yet
         std::string hint;
     };
     // By who, and who of them is dark: rates flicker.
@@ -304,6 +307,7 @@ void add_two_desks(const dmx::Statistics& statistics, const PatchMap& patch, Sen
     for (const auto& [universe, sources] : by_universe) {
         std::size_t differ = 0, shared = 0, meet = 0;
         bool all_artnet = true, contested = false;
+        std::string silent;
         std::set<std::string> who, names, dark, down;
         std::size_t all_down = 0, raised = 0;
         std::set<int> ranks; // of those that do not have their way: whom they meet has the same
@@ -315,6 +319,8 @@ void add_two_desks(const dmx::Statistics& statistics, const PatchMap& patch, Sen
             shared = std::max(shared, source->slots_shared);
             contested |= source->slots_contested > 0;
             all_artnet &= source->protocol == dmx::Protocol::artnet;
+            if (source->protocol == dmx::Protocol::artnet && source->age > kArtnetRests)
+                silent = apart_text(*source, sources);
             who.insert(sends_text(*source, sources));
             names.insert(apart_text(*source, sources));
             if (source->is_dark)
@@ -338,6 +344,7 @@ void add_two_desks(const dmx::Statistics& statistics, const PatchMap& patch, Sen
         fight.raised = std::max(fight.raised, raised);
         fight.dark = dark;
         fight.down = down;
+        fight.silent = silent;
         fight.hint = one_machine_text(sources);
         fight.merge =
             all_artnet && statistics.listening.artnet_ltp
@@ -355,6 +362,8 @@ void add_two_desks(const dmx::Statistics& statistics, const PatchMap& patch, Sen
             fight.merge +
             (is_shared ? ". If both play these lamps, all is well; if one is a backup, it is out of step: "
                          "give it a lower priority"
+             : !fight.silent.empty() ? ". " + fight.silent + " is silent, and counts until " +
+                                           seconds_text(dmx::kArtnetLoss) + " have gone by"
              : fight.contested ? ". Switch one off, or give one that is a backup a lower priority"
              : fight.raised > 0 && !fight.down.empty()
                  ? ". " + *fight.down.begin() + " has all dimmers at 0, and raises up to " +
@@ -368,8 +377,9 @@ void add_two_desks(const dmx::Statistics& statistics, const PatchMap& patch, Sen
                  ? ". " + *fight.dark.begin() + " sends 0 alone: if that is a black-out, the others hide it"
                  : ". None of these is now above 0 at two of them, so they may be meant to share") +
             fight.hint;
-        out.push_back(fight.contested ? problem(Trouble::two_desks, text, fight.universes)
-                                      : note(Trouble::two_desks, text, fight.universes));
+        out.push_back(fight.contested && fight.silent.empty()
+                          ? problem(Trouble::two_desks, text, fight.universes)
+                          : note(Trouble::two_desks, text, fight.universes));
     }
 }
 
@@ -447,8 +457,7 @@ void add_sources(const dmx::Statistics& statistics, Sentences& out) {
     std::map<std::string, std::set<int>> foreign, astray, cut;
     for (const dmx::SourceStatus& source : statistics.sources) {
         const std::string who = source_text(source);
-        if (source.held && synchronisation_is_late(source, statistics.sync))
-            waiting[{who, source.protocol}].insert(source.universe);
+        if (synchronisation_is_late(source)) waiting[{who, source.protocol}].insert(source.universe);
         if (source.protocol == dmx::Protocol::artnet && is_foreign(source.from, statistics))
             foreign[who].insert(source.universe);
         if (source.wrong_group) astray[who].insert(source.universe);
@@ -457,7 +466,7 @@ void add_sources(const dmx::Statistics& statistics, Sentences& out) {
     for (const auto& [who, universes] : waiting)
         out.push_back(problem(Trouble::waits_for_sync,
                               "levels of " + who.first + " on " + universes_text(universes) +
-                                  " wait for a synchronisation packet that does not come; after " +
+                                  " wait for a synchronisation packet that does not come, or seldom; after " +
                                   seconds_text(who.second == dmx::Protocol::artnet ? dmx::kArtnetSyncLoss
                                                                                    : dmx::kSacnSyncHold) +
                                   " at most they show without",

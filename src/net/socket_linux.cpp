@@ -74,21 +74,21 @@ bool is_on_link(const NetInterface& interface, const IpAddress& from) {
 
 std::vector<NetInterface> list_interfaces() {
     std::vector<NetInterface> result;
-    std::map<std::string, NetInterface> ipv6; // by name
+    std::map<std::string, NetInterface> ipv6, bare; // by name; bare: all, for some have no address
     ifaddrs* first = nullptr;
     if (getifaddrs(&first) != 0) return result;
     for (const ifaddrs* entry = first; entry; entry = entry->ifa_next) {
         if (!entry->ifa_addr || !(entry->ifa_flags & IFF_UP)) continue;
         const int family = entry->ifa_addr->sa_family;
-        if (family != AF_INET && family != AF_INET6) continue;
+        if (family != AF_INET && family != AF_INET6 && family != AF_PACKET) continue;
         NetInterface interface;
         interface.name = entry->ifa_name;
         interface.index = if_nametoindex(entry->ifa_name);
         interface.loopback = (entry->ifa_flags & IFF_LOOPBACK) != 0;
         interface.running = (entry->ifa_flags & IFF_RUNNING) != 0;
-        if (family == AF_INET6) {
-            interface.ipv6 = true;
-            ipv6.emplace(interface.name, interface);
+        if (family != AF_INET) {
+            interface.ipv6 = family == AF_INET6;
+            (interface.ipv6 ? ipv6 : bare).emplace(interface.name, interface);
             continue;
         }
         interface.address = ipv4_of(entry->ifa_addr);
@@ -98,10 +98,11 @@ std::vector<NetInterface> list_interfaces() {
     }
     freeifaddrs(first);
     for (NetInterface& interface : result) interface.ipv6 = ipv6.contains(interface.name);
-    for (const auto& [name, interface] : ipv6)
-        if (std::none_of(result.begin(), result.end(),
-                         [&wanted = name](const NetInterface& other) { return other.name == wanted; }))
-            result.push_back(interface);
+    for (const auto* more : {&ipv6, &bare})
+        for (const auto& [name, interface] : *more)
+            if (std::none_of(result.begin(), result.end(),
+                             [&wanted = name](const NetInterface& other) { return other.name == wanted; }))
+                result.push_back(interface);
     for (NetInterface& interface : result)
         interface.bridged = ::access(("/sys/class/net/" + interface.name + "/brport").c_str(), F_OK) == 0;
     return result;
@@ -115,7 +116,10 @@ Result<NetInterface> find_interface(const std::string& name_or_address) {
         if (interface.name == name_or_address || (address.ok() && interface.address == *address))
             return interface;
         names += (names.empty() ? "" : ", ") + interface.name + " (" +
-                 (interface.address ? ipv4_text(interface.address) : "IPv6") + ")";
+                 (interface.address ? ipv4_text(interface.address)
+                  : interface.ipv6  ? "IPv6"
+                                    : "no address") +
+                 ")";
     }
     for (NetInterface interface : all) {
         if (!address.ok() || !interface.loopback) continue;

@@ -439,37 +439,48 @@ TEST(diagnosis, MoreUniversesThanAreShown) {
     expect_words(network.text(Trouble::too_many_universes), {"4096", "--universes"});
 }
 
-TEST(diagnosis, LevelsThatWaitForASynchronisationThatStopped) {
+TEST(diagnosis, LevelsThatWaitForASynchronisation) {
     Network network({1});
     network.sends({1});
-    network.statistics.sources[0].held = true;
-    network.statistics.sources[0].sync_universe = 10;
+    dmx::SourceStatus& desk = network.statistics.sources[0];
+    desk.held = true;
     dmx::SyncStatus sync;
-    sync.source.id[0] = 1;
-    sync.universe = 10;
-    sync.age = 20ms;
+    sync.age = 9s; // of a desk at rest
     network.statistics.sync = {sync};
+    desk.held_for = 60ms;
     EXPECT_EQ(network.troubles(), Troubles{}) << "between two frames";
-    network.statistics.sync[0].age = 1500ms;
-    EXPECT_EQ(network.troubles(), Troubles{}) << "of a desk at rest";
-    network.statistics.sync[0].age = 3s;
+    desk.held_for = 3s;
     EXPECT_EQ(network.troubles(), Troubles{Trouble::waits_for_sync});
+    expect_words(network.text(Trouble::waits_for_sync), {"does not come, or seldom", "10 s at most"});
 }
 
-TEST(diagnosis, TheSynchronisationOfAnother) {
+TEST(diagnosis, AnotherOrderThanTheyWereSent) {
     Network network({1});
-    network.sends({1}, dmx::Protocol::artnet);
-    dmx::SourceStatus& node = network.statistics.sources[0];
-    node.id = "10.93.0.11";
-    node.held = true;
-    dmx::SyncStatus sync;
-    sync.source.protocol = dmx::Protocol::artnet;
-    sync.source.id = {10, 93, 0, 1};
-    sync.age = 9s;
-    network.statistics.sync = {sync};
-    EXPECT_EQ(network.troubles(), Troubles{}) << "10.93.0.1 begins like 10.93.0.11";
-    node.id = "10.93.0.1/2";
-    EXPECT_EQ(network.troubles(), Troubles{Trouble::waits_for_sync}) << "by any of its inputs";
+    network.sends({1});
+    dmx::SourceStatus& desk = network.statistics.sources[0];
+    desk.is_reordered = true;
+    desk.rate_hz = 20;
+    desk.late_hz = 20;
+    ASSERT_EQ(network.troubles(), Troubles{Trouble::numbering});
+    EXPECT_FALSE(network.sentences()[0].is_problem);
+    expect_words(network.text(Trouble::numbering), {"another order", "20 of 40 a second are late"});
+}
+
+TEST(diagnosis, AnArtNetDeskThatDiedCountsForAWhile) {
+    Network network({1});
+    network.sends({1, 1}, dmx::Protocol::artnet);
+    for (dmx::SourceStatus& source : network.statistics.sources)
+        source.slots_overruled = source.slots_contested = 3;
+    dmx::SourceStatus& dead = network.statistics.sources[1];
+    dead.id = "192.168.1.8";
+    dead.from = dmx::IpAddress(0xC0A80108);
+    dead.age = 3s;
+    ASSERT_EQ(network.troubles(), Troubles{Trouble::two_desks});
+    EXPECT_TRUE(network.sentences()[0].is_problem) << "a desk at rest sends every four seconds";
+    dead.age = 5s;
+    EXPECT_FALSE(network.sentences()[0].is_problem);
+    expect_words(network.text(Trouble::two_desks),
+                 {"192.168.1.8 (Art-Net) is silent, and counts until 10 s"});
 }
 
 TEST(diagnosis, AnotherNetworkAndAnotherGroup) {

@@ -106,7 +106,7 @@ TEST(diagnosis, MulticastOfThisVeryMachine) {
 TEST(diagnosis, PollsThatNobodyAnswers) {
     Network network({1});
     network.statistics.recent.polls = 3;
-    EXPECT_EQ(network.text(Trouble::nothing_arrives).find("ArtPoll"), std::string::npos);
+    expect_words(network.text(Trouble::nothing_arrives), {"ArtPoll) and is answered"});
     network.statistics.recent.polls_refused = 3;
     expect_words(network.text(Trouble::nothing_arrives), {"ArtPoll", "asks from another network"});
     network.statistics.listening.answers_polls = false;
@@ -406,6 +406,48 @@ TEST(diagnosis, WhatASourceAnnouncesAndDoesNotArrive) {
     Network open;
     open.statistics.discovered = {desk};
     expect_words(open.text(Trouble::nothing_arrives), {"announces universes 7-8", "--universes"});
+}
+
+TEST(diagnosis, WhatWasAnnouncedByADeskThatIsGone) {
+    Network network({1});
+    dmx::DiscoveredSource desk;
+    desk.name = "FOH";
+    desk.from = dmx::IpAddress(0xC0A80107);
+    desk.universes = std::make_shared<const std::vector<std::uint16_t>>(std::vector<std::uint16_t>{1});
+    desk.age = 9s;
+    network.statistics.discovered = {desk};
+    dmx::LostUniverse lost;
+    lost.universe = 1;
+    lost.since = 3s;
+    lost.silent = 6s;
+    network.statistics.lost = {lost};
+    EXPECT_EQ(network.troubles(), Troubles{Trouble::lost}) << "its list outlives it";
+    network.statistics.discovered[0].age = 2s;
+    EXPECT_EQ(network.troubles(), (Troubles{Trouble::held_back, Trouble::lost})) << "it goes on announcing";
+    network.statistics.lost.clear();
+    network.sends({1});
+    network.statistics.sources[0].state = dmx::SourceState::silent;
+    EXPECT_EQ(network.troubles(), Troubles{}) << "between its last packet and the loss";
+}
+
+TEST(diagnosis, OneOfFourThatWouldFitIsNoShift) {
+    Network hall({1, 2, 3, 4});
+    hall.sends({5});
+    EXPECT_EQ(hall.text(Trouble::off_by_one), "not said");
+    Network half({1, 2, 3, 4});
+    half.sends({4, 5});
+    EXPECT_EQ(half.text(Trouble::off_by_one), "not said") << "4 is right as it is";
+    Network all({1, 2});
+    all.sends({2, 3});
+    expect_words(all.text(Trouble::off_by_one), {"move the desk's output"});
+}
+
+TEST(diagnosis, WhoListensOnThisMachineAloneIsTold) {
+    Network network({1});
+    network.statistics.listening.interface = "lo";
+    expect_words(network.text(Trouble::nothing_arrives), {"By lo only programs of this machine are heard"});
+    network.statistics.recent.polls = 5;
+    expect_words(network.text(Trouble::nothing_arrives), {"(ArtPoll) and is answered", "UDP 6454"});
 }
 
 TEST(diagnosis, TheBytesOfAUniverseInAnotherOrder) {

@@ -12,6 +12,8 @@ namespace {
 constexpr std::chrono::nanoseconds kRateWindow = std::chrono::seconds(1);
 constexpr double kEnoughPackets = 8;             // a desk at rest sends one a second
 constexpr double kMostGaps = 0.5;                // of its packets; a network that loses as many is hardly one
+constexpr double kMostSwapped = 0.5;             // of its gaps: else what is missed is not all late
+constexpr double kManyLate = 4;                  // in a window
 constexpr std::chrono::seconds kMostSlotsFor{3}; // senders mix whole and short packets
 constexpr int kMostUndecided = 5;                // windows
 constexpr double kBesideKept = 0.75;             // a window
@@ -158,16 +160,22 @@ std::optional<unsigned> LevelSource::in_sequence(const Packet& packet, std::chro
     if (missed) {
         missed_ += *missed;
         const unsigned lost = lost_of(*missed, by_other_port, now);
-        window_.missed += lost;
-        window_.beyond += std::min<double>(lost, std::max(0.0, *missed - elsewhere));
+        gaps_.open(lost);
+        gaps_beyond_.open(std::min<double>(lost, std::max(0.0, *missed - elsewhere)));
         if (elsewhere > 0) ++(*missed > 0 ? gaps_beside_ : none_beside_);
         window_.odd += *missed > 0 || sequence_.stepped_back() ? 1 : 0;
         window_.back += sequence_.stepped_back() ? 1 : 0;
     } else {
         ++out_of_sequence_;
         ++window_.late;
-        window_.swapped += sequence_.swapped() ? 1 : 0;
+        if (sequence_.swapped()) {
+            ++window_.swapped;
+            gaps_.came_late();
+            gaps_beyond_.came_late();
+        }
     }
+    gaps_.look();
+    gaps_beyond_.look();
     return missed;
 }
 
@@ -196,6 +204,7 @@ void LevelSource::keep(const Packet& packet, bool hold, std::uint32_t stamp, std
         }
     }
     if (hold) {
+        if (!holding()) held_since_ = now;
         auto& place = priorities ? held_priorities_ : held_levels_;
         place ? void(*place = held) : void(place = std::make_unique<Held>(held));
     } else if (priorities) {
@@ -255,14 +264,17 @@ void LevelSource::measure_rate(std::chrono::nanoseconds now) {
     const auto window = now - window_start_;
     if (window < kRateWindow) return;
     const double window_s = std::chrono::duration<double>(window).count();
-    if (window_.packets >= kEnoughPackets) has_gaps_ = window_.odd > kMostGaps * window_.packets;
+    if (window_.packets >= kEnoughPackets) {
+        is_reordered_ = window_.swapped > kMostSwapped * window_.odd && window_.late >= kManyLate;
+        has_gaps_ = !is_reordered_ && window_.odd > kMostGaps * window_.packets;
+    }
     // What two senders in one row of numbers seem to miss is not lost; what is not known yet waits.
     const bool two = window_.back >= kTwoRows || (rows_ && rows_->are_two(now));
-    const double missed = gaps_beside_ > none_beside_ ? window_.beyond : window_.missed;
-    const double balance = has_gaps_ || two ? 0 : missed - window_.swapped;
-    // What comes late may come in the window after its gap.
-    pending_lost_ += static_cast<std::uint64_t>(std::max(0.0, gap_before_ + std::min(0.0, balance)));
-    gap_before_ = std::max(0.0, balance);
+    const double lost = gaps_.settle(), lost_beyond = gaps_beyond_.settle();
+    if (has_gaps_ || two)
+        gaps_ = gaps_beyond_ = {};
+    else
+        pending_lost_ += static_cast<std::uint64_t>(gaps_beside_ > none_beside_ ? lost_beyond : lost);
     if (two) pending_lost_ = 0;
     undecided_windows_ = rows_ && rows_->undecided() ? undecided_windows_ + 1 : 0;
     if (undecided_windows_ % kMostUndecided == 0) lost_ += std::exchange(pending_lost_, 0);
@@ -316,7 +328,8 @@ const Rivalry* LevelSource::rivalry(const LevelSource& other) const {
 }
 
 void LevelSource::resume(std::chrono::nanoseconds pause, std::chrono::nanoseconds now) {
-    for (std::chrono::nanoseconds* time : {&last_levels_, &last_priorities_, &last_way_, &first_heard_})
+    for (std::chrono::nanoseconds* time :
+         {&last_levels_, &last_priorities_, &last_way_, &first_heard_, &held_since_})
         *time = std::max(*time, std::min(*time + pause, now)); // what came in the middle of the pause
     sequence_.forget();
 }
@@ -351,6 +364,7 @@ SourceStatus LevelSource::status(std::uint16_t universe, bool with_slots,
     status.wrong_length = wrong_length_;
     status.sync_universe = sync_universe_;
     status.held = holding();
+    if (status.held) status.held_for = now - held_since_;
     status.priority = priority_;
     status.per_address_priority = per_address_;
     status.highest_priority = priority();
@@ -373,6 +387,7 @@ SourceStatus LevelSource::status(std::uint16_t universe, bool with_slots,
     status.rate_hz = young ? window_.packets / window_s : rates_hz_.packets;
     status.late_hz = young ? window_.late / window_s : rates_hz_.late;
     status.has_gaps = has_gaps_;
+    status.is_reordered = is_reordered_;
     if (rows_ && rows_->are_two(now)) {
         status.is_shared = true;
         const auto [lower, higher] = rows_->ports();

@@ -11,6 +11,7 @@
 #include "dmx/wire/packet.h"
 #include "dmx/wire/sequence.h"
 
+#include <algorithm>
 #include <array>
 #include <chrono>
 #include <memory>
@@ -26,6 +27,27 @@ inline constexpr std::chrono::milliseconds kUsbLoss{2500};     // a widget repea
 inline constexpr std::uint8_t kMaxPriority = 200;              // E1.31-2018 6.2.3
 inline constexpr std::chrono::milliseconds kWaySilence{1250};  // unchanged sACN levels come every 0.8 to 1 s
 
+// Packets that were missed and may still come late. Lost is what stays missing through two windows.
+class OpenGaps {
+public:
+    void open(double packets) { open_ += packets; }
+    void came_late() { open_ = std::max(0.0, open_ - 1); }
+    // After each packet.
+    void look() { least_ = std::min(least_, open_); }
+    // At the end of a window. Returns what is lost.
+    double settle() {
+        const double lost = std::min(least_, least_before_);
+        open_ -= lost;
+        least_before_ = least_ - lost;
+        least_ = open_;
+        return lost;
+    }
+
+private:
+    double open_ = 0;
+    double least_ = 0, least_before_ = 0; // in this window and the one before
+};
+
 class LevelSource {
 public:
     // joined: takes part in the merge at once. sent: packets of its sender, on all universes together;
@@ -36,7 +58,8 @@ public:
     const SourceKey& key() const { return key_; }
     bool has_levels() const { return has_levels_; }
     bool joined() const { return joined_; }
-    std::uint64_t heard() const { return heard_; } // packets accepted
+    std::uint64_t heard() const { return heard_; } // packets accepted, and what came while it had no place
+    void was_heard_before() { ++heard_; }
     std::chrono::nanoseconds first_heard() const { return first_heard_; }
     std::chrono::nanoseconds last_levels() const { return last_levels_; }
     bool expired(std::chrono::nanoseconds now) const { return now > expires(); }
@@ -125,19 +148,20 @@ private:
     std::array<Levels, 2> samples_{}; // of the last two seconds; of its first ones the first levels
     std::vector<std::uint32_t> changed_;
     std::unique_ptr<Held> held_levels_, held_priorities_;
+    std::chrono::nanoseconds held_since_{0};
     std::chrono::nanoseconds first_heard_{0}, last_levels_{0}, last_priorities_{0}, last_way_{0};
     std::uint64_t heard_ = 0, packets_ = 0, out_of_sequence_ = 0, missed_ = 0, other_way_ = 0;
+    // back: far behind the newest; odd: after a gap or a step back; swapped: of the late ones those that came
+    // after their successors.
     struct Window {
-        double packets = 0, late = 0, back = 0, odd = 0, missed = 0,
-               swapped = 0; // back: far behind the newest; odd: after a gap or a step back
-        double beyond = 0;  // missed, without what the sender sent elsewhere meanwhile
+        double packets = 0, late = 0, back = 0, odd = 0, swapped = 0;
     };
     Window window_, rates_hz_; // counted since window_start_, and of the whole second before
     std::chrono::nanoseconds window_start_{0};
-    double gap_before_ = 0; // packets that the window before missed, and that did not come late in it
+    OpenGaps gaps_, gaps_beyond_;               // all, and without what the sender sent elsewhere meanwhile
     std::uint64_t lost_ = 0, pending_lost_ = 0; // that were not taken yet; that may be another sender's
     int undecided_windows_ = 0;                 // in which these wait
-    bool has_gaps_ = false;
+    bool has_gaps_ = false, is_reordered_ = false;
     struct OtherWay {
         IpAddress from;
         unsigned interface_index = 0;

@@ -103,8 +103,8 @@ std::optional<std::size_t> Merge::place_for(const Input& input, const Packet& pa
     if (const auto silent = longest_silent(input.sources, now)) return silent;
     if (const auto once = heard_once(input.sources, now)) return once;
     // Not with its first packet: whoever forges ever new sources of the highest priority evicts nobody.
-    const bool known = ignored_.contains({packet.universe, packet.source});
-    return known && packet.start_code == 0 ? lowest_priority(input.sources, packet.priority) : std::nullopt;
+    if (!ignored_.contains({packet.universe, packet.source})) return std::nullopt;
+    return lowest_priority(input.sources, highest_priority(packet));
 }
 
 LevelSource* Merge::find_or_add(Input& input, const Packet& packet, std::chrono::nanoseconds now) {
@@ -125,12 +125,14 @@ LevelSource* Merge::find_or_add(Input& input, const Packet& packet, std::chrono:
     } else {
         other_sources_ += input.asked ? 0 : 1;
     }
-    ignored_.erase({packet.universe, packet.source});
+    const bool was_ignored = ignored_.erase({packet.universe, packet.source}) > 0;
     const bool alone = std::none_of(sources.begin(), sources.end(),
                                     [](const LevelSource& source) { return source.has_levels(); });
     const bool joined =
         packet.protocol != Protocol::sacn || alone || sampling_until_ || options_.priority_wait.count() == 0;
-    return &sources.emplace_back(packet, joined, sent_by(packet.source), now);
+    LevelSource& added = sources.emplace_back(packet, joined, sent_by(packet.source), now);
+    if (was_ignored) added.was_heard_before();
+    return &added;
 }
 
 void Merge::terminate(std::uint16_t number, Input& input, const Packet& packet,

@@ -41,6 +41,14 @@ std::optional<std::size_t> heard_once(std::span<const LevelSource> sources, std:
     return oldest;
 }
 
+std::uint8_t highest_priority(const Packet& packet) {
+    if (packet.start_code != 0xDD) return packet.priority;
+    std::uint8_t highest = 0;
+    for (const std::uint8_t one : packet.slots)
+        if (one <= kMaxPriority) highest = std::max(highest, one);
+    return highest;
+}
+
 std::optional<std::size_t> lowest_priority(std::span<const LevelSource> sources, std::uint8_t newcomer) {
     std::optional<std::size_t> lowest;
     const auto rank = [&](std::size_t i) {

@@ -24,6 +24,8 @@ std::optional<std::size_t> longest_silent(std::span<const LevelSource> sources, 
 // find places among each other's, never that of a real one.
 std::optional<std::size_t> heard_once(std::span<const LevelSource> sources, std::chrono::nanoseconds now);
 
+// Of a packet with levels its priority, of one with priorities per address the highest of them.
+std::uint8_t highest_priority(const Packet& packet);
 // Else one of the lowest priority, where that is below the newcomer's; of several the one that came last.
 // Never a widget.
 std::optional<std::size_t> lowest_priority(std::span<const LevelSource> sources, std::uint8_t newcomer);

@@ -61,12 +61,13 @@ struct SourceStatus {
     std::string id;
     std::string name; // not of Art-Net
     IpAddress from;
-    unsigned interface_index = 0;    // where it comes in; 0: not told
-    bool preview = false;            // its packets are marked "not for live output"
-    bool wrong_group = false;        // its newest packet came by the multicast group of another universe
-    bool wrong_length = false;       // its newest packet declares more levels than came
-    std::uint16_t sync_universe = 0; // that its newest packet names
-    bool held = false;               // levels wait for a synchronisation packet
+    unsigned interface_index = 0;         // where it comes in; 0: not told
+    bool preview = false;                 // its packets are marked "not for live output"
+    bool wrong_group = false;             // its newest packet came by the multicast group of another universe
+    bool wrong_length = false;            // its newest packet declares more levels than came
+    std::uint16_t sync_universe = 0;      // that its newest packet names
+    bool held = false;                    // levels wait for a synchronisation packet
+    std::chrono::nanoseconds held_for{0}; // these that wait for longest
     std::uint8_t priority = 0;
     bool per_address_priority = false;
     std::uint8_t highest_priority = 0; // of its addresses; without such priorities the same
@@ -84,8 +85,9 @@ struct SourceStatus {
     // by the two ports of unnumbered ones (else 0).
     bool is_shared = false;
     std::uint16_t port = 0, other_port = 0;
-    bool has_gaps = false;  // most of its packets come after a gap in the numbers
-    double jitter_ms = 0.0; // how far its packets come from an even beat, in the mean
+    bool has_gaps = false;     // most of its packets come after a gap in the numbers
+    bool is_reordered = false; // its packets come late, after their successors: what is late is dropped
+    double jitter_ms = 0.0;    // how far its packets come from an even beat, in the mean
     // Whoever sends other packets in its name at the same time, from another address or by another interface.
     std::optional<IpAddress> double_from;
     bool is_dark = false;       // nothing that it sends is above 0

@@ -131,6 +131,7 @@ void Listener::join_groups(const More& more) {
     if (!groups4_) return;
     std::vector<std::uint16_t> universes = announced_;
     universes.insert(universes.end(), more.here.begin(), more.here.end());
+    if (!more.here.empty()) universes.push_back(0); // there is none, but for desks that count from 0
     std::sort(universes.begin(), universes.end());
     universes.erase(std::unique(universes.begin(), universes.end()), universes.end());
     groups4_->update(universes, interfaces_);

@@ -354,6 +354,9 @@ constexpr const char* kSentences[] = {
                       "cannot be read (%3): if they are its desk's, that has to be mended"),
     QT_TRANSLATE_NOOP("Sentence", "most packets of %1 on %2 come after a gap in their numbers: it counts "
                                   "several universes in one row, or as many get lost on the way"),
+    QT_TRANSLATE_NOOP("Sentence", "packets of %1 on %2 come in another order than they were sent (two paths, "
+                                  "Wi-Fi): %3 of %4 a second are late and dropped"),
+    QT_TRANSLATE_NOOP("Sentence", "%1. By %2 only programs of this machine are heard (--interface)"),
     QT_TRANSLATE_NOOP("Sentence", "%1. Art-Net is not listened for (--protocols)"),
     QT_TRANSLATE_NOOP("Sentence", "%1. sACN is not listened for (--protocols)"),
     QT_TRANSLATE_NOOP("Sentence", "%1. Somebody asks who wants Art-Net (ArtPoll) and gets no answer "
@@ -362,6 +365,11 @@ constexpr const char* kSentences[] = {
         "Sentence",
         "%1. Somebody asks who wants Art-Net (ArtPoll) and gets no answer, for it asks from another network, "
         "too often or with too many others: OLA and some desks send to those alone that answer"),
+    QT_TRANSLATE_NOOP(
+        "Sentence",
+        "%1. Somebody asks who wants Art-Net (ArtPoll) and is answered: where that is the desk, a firewall "
+        "of "
+        "its machine on UDP 6454 may keep our answer from it, or it has no output for our universes"),
     QT_TRANSLATE_NOOP(
         "Sentence",
         "nothing comes for %1 any more, since %2: black (--on-loss). Its desk has stopped, sends elsewhere "
@@ -429,6 +437,12 @@ constexpr const char* kSentences[] = {
                       "%4. Switch one off, or give one that is a backup a lower priority"),
     QT_TRANSLATE_NOOP("Sentence",
                       "%1 comes from more than one source of equal priority, %2, and they differ on up to "
+                      "%3: %4. %5 is silent, and counts until %6 have gone by"),
+    QT_TRANSLATE_NOOP("Sentence",
+                      "%1 come from more than one source of equal priority, %2, and they differ on up to %3: "
+                      "%4. %5 is silent, and counts until %6 have gone by"),
+    QT_TRANSLATE_NOOP("Sentence",
+                      "%1 comes from more than one source of equal priority, %2, and they differ on up to "
                       "%3: %4. None of these is now above 0 at two of them, so they may be meant to share"),
     QT_TRANSLATE_NOOP("Sentence",
                       "%1 come from more than one source of equal priority, %2, and they differ on up to %3: "
@@ -487,8 +501,9 @@ constexpr const char* kSentences[] = {
                                   "desk, or start with --show-preview"),
     QT_TRANSLATE_NOOP("Sentence", "more universes arrive than the %1 that are shown at once; those of the "
                                   "show and of --universes are always among them"),
-    QT_TRANSLATE_NOOP("Sentence", "levels of %1 on %2 wait for a synchronisation packet that does not come; "
-                                  "after %3 at most they show without"),
+    QT_TRANSLATE_NOOP("Sentence",
+                      "levels of %1 on %2 wait for a synchronisation packet that does not come, or seldom; "
+                      "after %3 at most they show without"),
     QT_TRANSLATE_NOOP("Sentence", "%1 sends Art-Net from another network than ours (%2), by a router or "
                                   "because the addresses do not fit: without a router its unicast and our "
                                   "answers do not arrive, and this machine needs an address in its network"),
@@ -941,8 +956,8 @@ constexpr const char* kSentences[] = {
         "group of a universe of ours (239.255.0.1, ff18::.. for 1), a firewall or the reverse path filter of "
         "this machine drops them, or their sender has an address of ours; to another broadcast, the masks "
         "differ; to another group, it is another universe; where it shows none at all, they do not get here: "
-        "a cable, another VLAN, a switch that holds multicast back (IGMP snooping without a querier), or a "
-        "desk that is silent"),
+        "a cable, another VLAN, a switch that holds multicast back (IGMP snooping without a querier), a desk "
+        "that sends to other addresses alone (unicast), or one that is silent"),
 };
 
 } // namespace

@@ -392,6 +392,28 @@ TEST(Merge, a_first_look_of_all_zero_counts_as_a_look) {
     EXPECT_GT(merge.universes().find(1)->revision, 0u);
 }
 
+// Sixteen of priority 1 at 20 Hz; the seventeenth rests, as a desk does between two looks.
+TEST(Merge, who_has_the_higher_priority_keeps_its_place_while_it_rests) {
+    for (const bool per_address : {false, true}) {
+        Merge merge;
+        std::vector<Desk> dark;
+        for (int i = 0; i < 16; ++i) dark.push_back(Desk{static_cast<std::uint8_t>(2 + i), 1});
+        Desk main{1, static_cast<std::uint8_t>(per_address ? 1 : 200)};
+        int shown = 0;
+        for (int i = 0; i < 200; ++i) {
+            const nanoseconds now = i * 50ms;
+            for (Desk& desk : dark) merge.feed(desk.packet({0}), now);
+            if (i % 16 == 8) {
+                if (per_address) merge.feed(main.priorities({200}), now);
+                merge.feed(main.packet({255}), now);
+            }
+            merge.tick(now);
+            if (i >= 60) shown += levels(merge, 1) == Ints{255} ? 1 : 0;
+        }
+        EXPECT_EQ(shown, 140) << per_address;
+    }
+}
+
 TEST(Merge, sources_are_limited) {
     Merge merge;
     for (int i = 0; i < 20; ++i) {

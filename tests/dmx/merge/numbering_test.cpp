@@ -8,6 +8,8 @@
 #include <gtest/gtest.h>
 
 #include <functional>
+#include <map>
+#include <random>
 #include <string>
 #include <vector>
 
@@ -53,7 +55,7 @@ TEST(Merge, numbers_that_stand_still_and_that_jump) {
 TEST(Merge, one_row_of_numbers_for_several_universes_is_no_loss) {
     Merge merge;
     Desk shared{1}, losing{2}, swapping{3}, random{4};
-    for (int i = 0; i < 160; ++i) {
+    for (int i = 0; i < 240; ++i) {
         const nanoseconds now = i * 25ms;
         ++shared.sequence; // that of another universe
         merge.feed(shared.packet({1}), now);
@@ -68,11 +70,13 @@ TEST(Merge, one_row_of_numbers_for_several_universes_is_no_loss) {
         merge.feed(random.packet({4}), now);
         merge.tick(now);
     }
-    const std::vector<SourceStatus> sources = merge.sources(4s);
+    const std::vector<SourceStatus> sources = merge.sources(6s);
     ASSERT_EQ(sources.size(), 4u);
     EXPECT_TRUE(sources[0].has_gaps);
     EXPECT_FALSE(sources[1].has_gaps);
-    EXPECT_TRUE(sources[3].has_gaps);
+    EXPECT_TRUE(sources[2].has_gaps);
+    EXPECT_TRUE(sources[3].is_reordered) << "they come two by two";
+    EXPECT_FALSE(sources[3].has_gaps);
     EXPECT_FALSE(sources[3].is_shared) << "its look does not jump with its numbers";
     EXPECT_GE(merge.counters().lost, 8u);
     EXPECT_LE(merge.counters().lost, 12u) << "of the one that loses a tenth";
@@ -102,6 +106,32 @@ TEST(Merge, packets_that_come_late_are_not_lost) {
         }
 }
 
+// All arrive: each late by up to 90 ms, or a third of them two places, or two by two.
+TEST(Merge, packets_of_two_paths_come_in_another_order_and_are_not_lost) {
+    enum class Way { random, third, pairs };
+    for (const Way way : {Way::random, Way::third, Way::pairs}) {
+        Merge merge;
+        Desk desk{1};
+        std::multimap<nanoseconds, Packet> arrivals;
+        std::minstd_rand random;
+        for (int i = 0; i < 1200; ++i) {
+            const nanoseconds late = way == Way::random  ? static_cast<int>(random() % 91) * 1ms
+                                     : way == Way::third ? (i % 3 == 0 ? 60ms : 0ms)
+                                                         : (i % 2 == 0 ? 30ms : 0ms);
+            arrivals.emplace(i * 25ms + late, desk.packet({1}));
+        }
+        for (const auto& [now, packet] : arrivals) {
+            merge.feed(packet, now);
+            merge.tick(now);
+        }
+        const SourceStatus source = merge.sources(30s).at(0);
+        EXPECT_EQ(merge.counters().lost, 0u) << static_cast<int>(way);
+        EXPECT_GT(source.missed, 200u);
+        EXPECT_TRUE(source.is_reordered) << static_cast<int>(way);
+        EXPECT_FALSE(source.has_gaps);
+    }
+}
+
 TEST(Merge, one_row_of_numbers_of_which_few_are_another_universe_s_is_no_loss) {
     // Universe 1 forty times a second, others by turns or now and then, merged or not; one of its own packets
     // is lost twice a second.
@@ -114,7 +144,7 @@ TEST(Merge, one_row_of_numbers_of_which_few_are_another_universe_s_is_no_loss) {
                 for (int i = 0; i < 400; ++i) {
                     const nanoseconds now = i * 25ms;
                     const Packet packet = desk.packet({1});
-                    if (loses && i < 350 && i % 20 == 13)
+                    if (loses && i < 300 && i % 20 == 13)
                         ++lost;
                     else
                         merge.feed(packet, now);
@@ -142,7 +172,7 @@ TEST(Merge, numbers_that_others_have_who_do_not_come_here_leave_no_pause) {
                 for (int i = 0; i < 400; ++i) {
                     const nanoseconds now = i * 25ms - i * 7919 % 3 * early / 2;
                     const Packet packet = desk.packet({1});
-                    if (loses && i % 20 == 13)
+                    if (loses && i < 300 && i % 20 == 13)
                         ++lost;
                     else
                         merge.feed(packet, now);
@@ -162,7 +192,7 @@ TEST(Merge, what_gets_lost_of_a_sender_that_comes_in_bunches_is_told) {
     for (int i = 0; i < 800; ++i) {
         const nanoseconds now = i / 4 * 100ms + i % 4 * 1ms;
         const Packet packet = desk.packet({1});
-        if (i * 7919 % 10 == 3)
+        if (i < 700 && i * 7919 % 10 == 3)
             ++lost;
         else
             merge.feed(packet, now);
@@ -176,7 +206,7 @@ TEST(Merge, what_is_lost_beside_other_universes_of_the_sender_is_told) {
     for (const int every : {1, 6, 44}) {
         Merge merge;
         Desk losing{1}, other{1, 100, 2};
-        for (int i = 0; i < 400; ++i) {
+        for (int i = 0; i < 480; ++i) {
             const nanoseconds now = i * 25ms;
             const Packet packet = losing.packet({1});
             if (i >= 360 || i % 10 != 9) merge.feed(packet, now);

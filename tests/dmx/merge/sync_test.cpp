@@ -113,6 +113,19 @@ TEST(Sync, after_loss_one_that_does_not_force_holds_but_not_for_ever) {
     }
 }
 
+TEST(Sync, how_long_levels_wait_is_told) {
+    Merge merge;
+    Desk desk{1};
+    merge.feed(desk.packet({1}), 0s);
+    merge.feed(desk.sync(9), 0s);
+    for (const auto now : {100ms, 600ms, 1100ms}) merge.feed(desk.synchronised(9, {2}), now);
+    EXPECT_EQ(merge.sources(1200ms).at(0).held_for, 1100ms) << "the first of them";
+    merge.feed(desk.sync(9), 1300ms);
+    EXPECT_FALSE(merge.sources(1300ms).at(0).held);
+    merge.feed(desk.synchronised(9, {3}), 1400ms);
+    EXPECT_EQ(merge.sources(1450ms).at(0).held_for, 50ms);
+}
+
 TEST(Sync, priorities_wait_too) {
     Merge merge;
     Desk a{1}, b{2};

@@ -103,7 +103,7 @@ count = 0
 while True:
     passed = time.monotonic() - start
     for one in spec:
-        if one.get("announces") and count % 40 == 0:
+        if one.get("announces") and count % 40 == 0 and passed <= one.get("stops_s", 1e9):
             send(one, announcement(one), group(64214), 5568)
         if one.get("polls") and count % 40 == 0:
             send(one, artpoll(), "10.93.0.255", 6454)

@@ -107,11 +107,11 @@ TEST_F(Language, SoAreTheSentencesThatItIsMadeOf) {
         "group of a universe of ours (239.255.0.1, ff18::.. for 1), a firewall or the reverse path filter of "
         "this machine drops them, or their sender has an address of ours; to another broadcast, the masks "
         "differ; to another group, it is another universe; where it shows none at all, they do not get here: "
-        "a cable, another VLAN, a switch that holds multicast back (IGMP snooping without a querier), or a "
-        "desk that is silent");
+        "a cable, another VLAN, a switch that holds multicast back (IGMP snooping without a querier), a desk "
+        "that sends to other addresses alone (unicast), or one that is silent");
     for (const char* const part : {"nur Prioritäten je Adresse", "wo 'tcpdump -ni any udp port 5568' Pakete",
                                    "obwohl 3 andere Pakete ankommen (3 poll)",
-                                   "'Desk' (10.93.0.1) auf Universum 1", "ein Pult, das schweigt"})
+                                   "'Desk' (10.93.0.1) auf Universum 1", "oder eines, das schweigt"})
         EXPECT_NE(said.find(part), std::string::npos) << part << " in: " << said;
     EXPECT_EQ(
         in_german(
