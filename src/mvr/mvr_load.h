@@ -45,6 +45,7 @@ struct MvrLoading {
 
 struct LoadedPlot {
     Plot plot;
+    std::shared_ptr<const Plot> unchanged; // as its file has it, where a show changes it; else null
     Report report; // at most 1001 (base/message_cap.h), then one that says how many more there were
     fixture::Archive archive; // stays open: read(PlotMesh::member), read(PlotGdtf::member) ..
     std::string description;  // name of the description in the archive

@@ -15,12 +15,15 @@
 #include <map>
 #include <optional>
 #include <set>
+#include <unordered_map>
 #include <utility>
 
 #include <glm/gtc/matrix_transform.hpp>
 
 namespace ghost::scene {
 namespace {
+
+namespace fs = std::filesystem;
 
 constexpr std::size_t kMaxNameBytes = 90; // leaves room for a number
 constexpr double kScaled = 0.01;
@@ -78,16 +81,54 @@ bool is_wall(const PlotObject& object) {
     return object.kind == ObjectKind::video_screen && !object.geometries.empty();
 }
 
+bool is_fixture(const PlotObject& object) {
+    return is_device(object) || is_wall(object);
+}
+
+// The fixtures that a plot had, when it is made into fixtures once more.
+class KnownFixtures {
+public:
+    KnownFixtures() = default;
+    explicit KnownFixtures(const std::vector<PatchedFixture>& fixtures) {
+        for (const PatchedFixture& fixture : fixtures) {
+            if (fixture.uuid.empty()) continue;
+            by_key_.try_emplace(uuid_key(fixture.uuid), &fixture);
+            if (fixture.shape) shapes_.try_emplace(fixture.gdtf.string(), fixture.shape);
+        }
+    }
+    const PatchedFixture* find(const std::string& uuid) const {
+        const auto found = by_key_.find(uuid_key(uuid));
+        return found == by_key_.end() ? nullptr : found->second;
+    }
+    // Measured light goes by the fixture's file.
+    std::shared_ptr<const BeamShape> shape_of(const fs::path& gdtf) const {
+        const auto found = shapes_.find(gdtf.string());
+        return found == shapes_.end() ? nullptr : found->second;
+    }
+
+private:
+    std::unordered_map<std::string, const PatchedFixture*> by_key_;
+    std::unordered_map<std::string, std::shared_ptr<const BeamShape>> shapes_;
+};
+
 class FixtureMaker {
 public:
-    FixtureMaker(Show& show, const std::vector<SubstituteEntry>& substitutes,
-                 const std::vector<WallSettings>& walls, Report& report)
-        : show_(show), loaded_(*show.plot), types_(*show.plot, show.folder, substitutes, report),
-          walls_(walls), was_used_(walls.size(), false), report_(report), names_(show.fixtures) {}
+    // plot: show.plot's, or what an edit makes of it; before: the fixtures that it had, where no file must be
+    // read.
+    FixtureMaker(Show& show, const Plot& plot, const std::vector<SubstituteEntry>& substitutes,
+                 const std::vector<WallSettings>& walls, const std::vector<PatchedFixture>* before,
+                 Report& report)
+        : show_(show), loaded_(*show.plot), plot_(plot), reads_(before == nullptr),
+          types_(*show.plot, show.folder, substitutes, report), walls_(walls), was_used_(walls.size(), false),
+          report_(report), names_(show.fixtures) {
+        if (!before) return;
+        known_ = KnownFixtures(*before);
+        types_.know(*before);
+    }
 
     // index: of the object; called for every object in order, parents first.
     void visit(int index, bool adds) {
-        const PlotObject& object = loaded_.plot.objects[static_cast<std::size_t>(index)];
+        const PlotObject& object = plot_.objects[static_cast<std::size_t>(index)];
         worlds_.push_back(object.world);
         fixture_of_.push_back(-1);
         bool is_known = true, is_turn_known = true;
@@ -98,7 +139,7 @@ public:
             is_known = hung && are_known_[parent];
             is_turn_known = hung && are_turns_known_[parent];
         } else if (object.layer >= 0) {
-            const PlotLayer& layer = loaded_.plot.layers[static_cast<std::size_t>(object.layer)];
+            const PlotLayer& layer = plot_.layers[static_cast<std::size_t>(object.layer)];
             is_known = is_turn_known = layer.placed_by != PlacedBy::nobody;
         }
         are_known_.push_back(object.placed_by == PlacedBy::change ||
@@ -153,12 +194,43 @@ private:
         fixture.uuid = object.uuid;
         fixture.invert_pan = device.invert_pan;
         fixture.invert_tilt = device.invert_tilt;
-        set_addresses(patch_addresses(loaded_.plot, object), fixture);
-        fixture.is_address_known = are_addresses_known(loaded_.plot, object);
+        set_addresses(patch_addresses(plot_, object), fixture);
+        fixture.is_address_known = are_addresses_known(plot_, object);
         place(object, fixture);
-        if (object.kind == ObjectKind::projector && fixture.type)
+        if (object.kind == ObjectKind::projector && fixture.type && reads_)
             fixture.projector =
                 plot_projector(show_, object, *fixture.type, place_of(loaded_, object), report_);
+        if (!reads_) take_pictures(fixture);
+        fixture_of_.back() = static_cast<int>(show_.fixtures.size());
+        show_.fixtures.push_back(std::move(fixture));
+    }
+
+    // What files other than that of its type said.
+    void take_pictures(PatchedFixture& fixture) const {
+        if (const PatchedFixture* was = known_.find(fixture.uuid)) fixture.projector = was->projector;
+        if (!fixture.projector) fixture.shape = known_.shape_of(fixture.gdtf);
+    }
+
+    // It stands where its object does, so that a hand that moves it moves the object; the panel is beside
+    // that.
+    PatchedFixture hung_wall(const PlotObject& object) {
+        PatchedFixture fixture;
+        const std::string name = clean(object.name);
+        fixture.name = names_.take(name.empty() ? "LED wall" : name);
+        fixture.fixture_id = object.device.fixture_id;
+        fixture.uuid = object.uuid;
+        fixture.address = 0;
+        place(object, fixture);
+        return fixture;
+    }
+
+    // Its size is that of a mesh, which is not read again; one that was hidden has none yet.
+    void add_known_wall(const PlotObject& object) {
+        const PatchedFixture* was = known_.find(object.uuid);
+        if (!was || !was->wall) return;
+        PatchedFixture fixture = hung_wall(object);
+        fixture.type = was->type;
+        fixture.wall = was->wall;
         fixture_of_.back() = static_cast<int>(show_.fixtures.size());
         show_.fixtures.push_back(std::move(fixture));
     }
@@ -169,6 +241,7 @@ private:
             ++left_out_;
             return;
         }
+        if (!reads_) return add_known_wall(object);
         const auto plane = screen_plane(loaded_, index, show_.plot_origin_m);
         if (!plane) return;
         const std::string name = clean(object.name);
@@ -179,11 +252,7 @@ private:
             wall = walls_[k].wall;
             was_used_[k] = says_media = true;
         }
-        PatchedFixture fixture;
-        fixture.name = names_.take(name.empty() ? "LED wall" : name);
-        fixture.fixture_id = object.device.fixture_id;
-        fixture.uuid = object.uuid;
-        fixture.address = 0;
+        PatchedFixture fixture = hung_wall(object);
         if (!says_media)
             wall.media =
                 media_of_source(show_, object.sources.empty() ? PlotSource{} : object.sources.front(),
@@ -195,9 +264,6 @@ private:
             wall.reach_m = plane->depth_m + wall.reach_m;
             bent_.push_back(fixture.name);
         }
-        // It stands where its object does, so that a hand that moves it moves the object; the panel is beside
-        // that.
-        place(object, fixture);
         const glm::dmat4 to_world(fixture_to_world(fixture, 0));
         fixture.type = fixture::led_wall_type(wall.size_m, cells_of(wall), wall.nits,
                                               glm::mat4(glm::inverse(to_world) * plane->to_world));
@@ -256,7 +322,7 @@ private:
         if (object.device.focus < 0 || !fixture.type) return false;
         const fixture::Mode& mode = fixture.type->modes[static_cast<std::size_t>(fixture.mode)];
         if (mode.beams.empty() || !mode.axes.empty()) return false;
-        const PlotObject& focus = loaded_.plot.objects[static_cast<std::size_t>(object.device.focus)];
+        const PlotObject& focus = plot_.objects[static_cast<std::size_t>(object.device.focus)];
         const glm::dmat4 to_world = world * glm::dmat4(node_to_fixture(mode, mode.beams.front()));
         const glm::dvec3 way = glm::dvec3(focus.world[3]) - show_.plot_origin_m - glm::dvec3(to_world[3]);
         const glm::dvec3 beam = -glm::dvec3(to_world[2]);
@@ -278,6 +344,9 @@ private:
 
     Show& show_;
     LoadedPlot& loaded_;
+    const Plot& plot_;
+    bool reads_; // files
+    KnownFixtures known_;
     PlotTypes types_;
     const std::vector<WallSettings>& walls_;
     std::vector<bool> was_used_; // of walls_
@@ -356,11 +425,11 @@ Result<void> add_plot_fixtures(Show& show, const std::vector<bool>& shown,
                                const std::vector<SubstituteEntry>& substitutes,
                                const std::vector<WallSettings>& walls, Report& report,
                                const ShowLoading& loading) {
-    FixtureMaker maker(show, substitutes, walls, report);
     const std::vector<PlotObject>& objects = show.plot->plot.objects;
+    FixtureMaker maker(show, show.plot->plot, substitutes, walls, nullptr, report);
     const std::size_t step = std::max<std::size_t>(1, objects.size() / 100);
     for (std::size_t k = 0; k < objects.size(); ++k) {
-        const bool adds = shown[k] && (is_device(objects[k]) || is_wall(objects[k]));
+        const bool adds = shown[k] && is_fixture(objects[k]);
         if (adds || k % step == 0) {
             if (loading.stop && loading.stop())
                 return Error{"stopped while its fixtures were read", show.plot->name};
@@ -371,6 +440,15 @@ Result<void> add_plot_fixtures(Show& show, const std::vector<bool>& shown,
     }
     maker.finish(report);
     return {};
+}
+
+void add_known_fixtures(Show& show, const Plot& plot, const std::vector<bool>& shown,
+                        const std::vector<SubstituteEntry>& substitutes,
+                        const std::vector<WallSettings>& walls, const std::vector<PatchedFixture>& before) {
+    Report unsaid;
+    FixtureMaker maker(show, plot, substitutes, walls, &before, unsaid);
+    for (std::size_t k = 0; k < plot.objects.size(); ++k)
+        maker.visit(static_cast<int>(k), shown[k] && is_fixture(plot.objects[k]));
 }
 
 } // namespace ghost::scene

@@ -32,6 +32,13 @@ Result<void> add_plot_fixtures(Show& show, const std::vector<bool>& shown,
                                const std::vector<WallSettings>& walls, Report& report,
                                const ShowLoading& loading);
 
+// The same where the show was open before: plot is show.plot's as an edit changes it, before are the fixtures
+// that it had. No file is read: types, pictures and measured light are those of before; a fixture of a type
+// that none of them has is dark, and a screen that was hidden is left out.
+void add_known_fixtures(Show& show, const Plot& plot, const std::vector<bool>& shown,
+                        const std::vector<SubstituteEntry>& substitutes,
+                        const std::vector<WallSettings>& walls, const std::vector<PatchedFixture>& before);
+
 // A matrix as a turn, by what rotation_deg of show.toml means.
 struct Placement {
     glm::vec3 position_m{0};

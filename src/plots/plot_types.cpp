@@ -6,6 +6,7 @@
 #include "fixture_files/gdtf/gdtf.h"
 #include "fixture_files/load_type.h"
 #include "json_xml_toml/toml_reader.h"
+#include "show/show.h"
 
 #include "base/suggest.h"
 
@@ -97,6 +98,17 @@ std::shared_ptr<const fixture::Type> PlotTypes::read(const PlotGdtf& gdtf, const
     return std::make_shared<const fixture::Type>(std::move(loaded->type));
 }
 
+void PlotTypes::know(const std::vector<PatchedFixture>& fixtures) {
+    known_.emplace();
+    const ObjectIndex index(loaded_.plot);
+    for (const PatchedFixture& fixture : fixtures) {
+        const int object = fixture.uuid.empty() ? -1 : index.find(fixture.uuid);
+        if (object < 0) continue;
+        const int gdtf = loaded_.plot.objects[static_cast<std::size_t>(object)].device.gdtf;
+        if (gdtf >= 0) known_->try_emplace({gdtf, fixture.gdtf}, fixture.type);
+    }
+}
+
 PlotTypes::File& PlotTypes::file(int index) {
     File& file = files_[index];
     if (file.is_read) return file;
@@ -113,7 +125,10 @@ PlotTypes::File& PlotTypes::file(int index) {
         file.name = found.lexically_relative(folder_);
         forgive(gdtf, found.string());
     }
-    file.type = read(gdtf, file);
+    if (!known_)
+        file.type = read(gdtf, file);
+    else if (const auto known = known_->find({index, file.name}); known != known_->end())
+        file.type = known->second;
     return file;
 }
 

@@ -11,11 +11,14 @@
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 namespace ghost::scene {
+
+struct PatchedFixture; // show/show.h
 
 // The mode of that name; where there is none, the one that lacks fewest of its numbers, then fewest edits
 // away, whatever the case. -1: the type has no mode.
@@ -26,6 +29,10 @@ public:
     PlotTypes(LoadedPlot& loaded, std::filesystem::path folder,
               const std::vector<SubstituteEntry>& substitutes, Report& report)
         : loaded_(loaded), folder_(std::move(folder)), substitutes_(substitutes), report_(report) {}
+
+    // Of fixtures that this plot had before. No file is read from now on: one that none of them is of has no
+    // type.
+    void know(const std::vector<PatchedFixture>& fixtures);
 
     struct Found {
         std::shared_ptr<const fixture::Type> type; // null: the fixture stays dark
@@ -65,6 +72,9 @@ private:
     const std::vector<SubstituteEntry>& substitutes_;
     Report& report_;
     std::map<int, File> files_;
+    // By Plot::gdtf_files and File::name; nothing: files may be read.
+    std::optional<std::map<std::pair<int, std::filesystem::path>, std::shared_ptr<const fixture::Type>>>
+        known_;
     std::map<std::pair<int, std::string>, WrongMode> wrong_modes_;
     std::size_t more_wrong_modes_ = 0; // fixtures that were not compared any more
 };

@@ -224,6 +224,7 @@ Result<void> open_plot(ParsedShow& parsed, Report& report, const ShowLoading& lo
                        std::to_string(std::lround(show.plot_origin_m.x / 1000)) + ", " +
                        std::to_string(std::lround(show.plot_origin_m.y / 1000)) + ", " +
                        std::to_string(std::lround(show.plot_origin_m.z / 1000)) + " km (x, y, z)");
+    if (!parsed.changes.empty()) show.plot->unchanged = std::make_shared<const Plot>(show.plot->plot);
     apply_changes(show.plot->plot, parsed.changes, show.plot_origin_m, report);
     const std::string file = show.file.string();
     check_hidden(show, show.hidden_layers, true, file_line(file, parsed.hidden_layers_line), report);

@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "show/plot_entries.h"
+#include "mvr/mvr_load.h"
+#include "plots/plot_changes.h"
+#include "plots/plot_show.h"
+#include "plots/plot_stage.h"
+#include "show/movers.h"
 #include "show_folder/load_show.h"
 #include "show_folder/private/show_types.h"
 
@@ -31,35 +35,15 @@ Result<Show> preview_edit(const Show& before, const std::string& text) {
             });
         if (same != before.fixtures.end()) fixture.shape = same->shape;
     }
-    for (PatchedFixture fixture : before.fixtures) {
-        if (fixture.uuid.empty()) continue;
-        bool hidden = false;
-        for (const ChangeEntry& change : parsed.changes) {
-            if (change.uuid != fixture.uuid) continue;
-            if (change.name) fixture.name = *change.name;
-            if (change.position_m) {
-                fixture.position_m = *change.position_m;
-                fixture.is_place_known = true;
-            }
-            if (change.rotation_deg) {
-                fixture.rotation_deg = *change.rotation_deg;
-                fixture.is_rotation_known = true;
-            }
-            if (change.hidden) hidden = *change.hidden;
-            if (change.circuit) fixture.circuit = *change.circuit;
-            if (change.address && change.dmx_break == 1) {
-                fixture.universe = change.address->universe;
-                fixture.address = change.address->channel;
-                fixture.is_address_known |= fixture.more_addresses.empty();
-            }
-            if (change.mode && fixture.type)
-                if (const auto mode = fixture::find_mode(*fixture.type, *change.mode); mode.ok()) {
-                    fixture.mode = *mode;
-                    fixture.is_mode_known = true;
-                }
-        }
-        if (!hidden) show.fixtures.push_back(std::move(fixture));
+    if (before.plot) {
+        Plot plot = before.plot->unchanged ? *before.plot->unchanged : before.plot->plot;
+        apply_changes(plot, parsed.changes, before.plot_origin_m, unsaid);
+        add_known_fixtures(show, plot, shown_objects(plot, before.hidden_layers, before.hidden_classes),
+                           parsed.substitutes, parsed.walls, before.fixtures);
+        apply_circuits(show, parsed.changes);
     }
+    show.movers = std::move(parsed.show.movers);
+    check_movers(show, unsaid); // finds what carries each fixture
     return show;
 }
 
