@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "book/hangings.h"
 
+#include "base/natural_order.h"
 #include "book/fixture_values.h"
 #include "mvr/mvr_load.h"
 #include "print/quantities.h"

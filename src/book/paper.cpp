@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "book/paper.h"
 
+#include "base/natural_order.h"
 #include "base/text.h"
 #include "book/private/paper_tables.h"
 #include "print/quantities.h"

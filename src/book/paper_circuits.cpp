@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What feeds the fixtures, as files and the show say it: plugs, circuits with their breakers, phases.
+#include "base/natural_order.h"
 #include "book/private/paper_tables.h"
 
 #include "fixture/power.h"

@@ -24,9 +24,6 @@ std::string all_names_text(const std::vector<std::string>& names);
 // Bytes at the end of a name that are digits, at most 9.
 std::size_t digits_at_end(const std::string& name);
 
-// "Spot 2" before "Spot 10".
-bool natural_less(const std::string& a, const std::string& b);
-
 // "3.101" of universe and channel; "not patched" where there is none.
 std::string address_text(int universe, int channel);
 

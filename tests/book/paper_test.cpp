@@ -4,7 +4,6 @@
 
 #include "book/paper_pages.h"
 #include "book/private/paper_widths.h"
-#include "print/quantities.h"
 #include "show/show.h"
 #include "support/must.h"
 #include "support/mvr_files.h"
@@ -416,16 +415,6 @@ TEST(Page, of_tables_escapes_and_marks_what_is_free) {
     EXPECT_NE(page.find("<tr class=\"free\"><td><bdi>&lt;i&gt;</bdi></td></tr>"), std::string::npos);
     EXPECT_NE(page.find("nobody knows"), std::string::npos);
     EXPECT_NE(page.find("size:A4"), std::string::npos);
-}
-
-TEST(Order, is_that_of_people) {
-    EXPECT_TRUE(natural_less("Spot 2", "Spot 10"));
-    EXPECT_FALSE(natural_less("Spot 10", "Spot 2"));
-    EXPECT_TRUE(natural_less("Spot 09", "Spot 10"));
-    EXPECT_FALSE(natural_less("Spot 1", "Spot 1"));
-    EXPECT_TRUE(natural_less("Spot", "Spot 1"));
-    EXPECT_TRUE(natural_less("", "a"));
-    EXPECT_TRUE(natural_less(std::string(1000, '1'), std::string(1001, '1')));
 }
 
 } // namespace

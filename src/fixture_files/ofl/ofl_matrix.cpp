@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The matrix of pixels and its groups.
+#include "base/natural_order.h"
 #include "fixture/values.h"
 #include "fixture_files/ofl/private/ofl_reader.h"
 
@@ -75,34 +76,6 @@ std::vector<int> group_members(OflReader& reader, const Json& json, const std::s
         if (fits) members.push_back(static_cast<int>(i));
     }
     return members;
-}
-
-// "Pixel 2" before "Pixel 10".
-bool natural_less(const std::string& a, const std::string& b) {
-    const auto digit = [](char c) { return c >= '0' && c <= '9'; };
-    std::size_t i = 0;
-    std::size_t j = 0;
-    while (i < a.size() && j < b.size()) {
-        if (digit(a[i]) && digit(b[j])) {
-            std::size_t i_end = i;
-            std::size_t j_end = j;
-            while (i_end < a.size() && digit(a[i_end])) ++i_end;
-            while (j_end < b.size() && digit(b[j_end])) ++j_end;
-            std::string_view x = std::string_view(a).substr(i, i_end - i);
-            std::string_view y = std::string_view(b).substr(j, j_end - j);
-            while (x.size() > 1 && x.front() == '0') x.remove_prefix(1);
-            while (y.size() > 1 && y.front() == '0') y.remove_prefix(1);
-            if (x.size() != y.size()) return x.size() < y.size();
-            if (x != y) return x < y;
-            i = i_end;
-            j = j_end;
-            continue;
-        }
-        if (a[i] != b[j]) return a[i] < b[j];
-        ++i;
-        ++j;
-    }
-    return a.size() - i < b.size() - j;
 }
 
 } // namespace
