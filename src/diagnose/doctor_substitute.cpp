@@ -4,6 +4,7 @@
 #include "base/text.h"
 #include "diagnose/private/doctor_patch.h"
 #include "fixture/values.h"
+#include "fixture_files/load_type.h"
 #include "plots/plot_types.h"
 
 #include "base/suggest.h"
@@ -33,8 +34,8 @@ struct Word {
 
 std::vector<Word> words_of(const std::string& name) {
     std::string small = lower(name.substr(0, kMaxLetters));
-    for (const char* ending : {".gdtf", ".qxf", ".json"})
-        if (small.ends_with(ending)) small.resize(small.size() - std::string(ending).size());
+    for (const std::string_view ending : fixture::kTypeEndings)
+        if (small.ends_with(ending)) small.resize(small.size() - ending.size());
     std::vector<Word> words;
     const auto kind = [](char c) {
         if (std::isdigit(static_cast<unsigned char>(c))) return 1;

@@ -6,6 +6,7 @@
 #include "fixture_files/ofl/ofl.h"
 #include "fixture_files/qxf/qxf.h"
 
+#include <algorithm>
 #include <array>
 #include <fstream>
 #include <string>
@@ -13,18 +14,11 @@
 namespace ghost::fixture {
 namespace {
 
-enum class Format { unknown, gdtf, qxf, ofl };
-
-std::string extension_of(const std::filesystem::path& path) {
-    return lower(path.extension().string());
-}
+enum class Format { gdtf, qxf, ofl, unknown }; // as kTypeEndings counts them
 
 Format format_of_name(const std::filesystem::path& path) {
-    const std::string extension = extension_of(path);
-    if (extension == ".gdtf") return Format::gdtf;
-    if (extension == ".qxf") return Format::qxf;
-    if (extension == ".json") return Format::ofl;
-    return Format::unknown;
+    const auto found = std::find(kTypeEndings.begin(), kTypeEndings.end(), lower(path.extension().string()));
+    return static_cast<Format>(found - kTypeEndings.begin());
 }
 
 // By the first character that says something; a byte order mark may go before it.

@@ -40,6 +40,11 @@ int mode_named(const fixture::Type& type, const std::string& name) {
     return found == type.modes.end() ? -1 : static_cast<int>(found - type.modes.begin());
 }
 
+bool is_plain(const fs::path& file) {
+    std::error_code code;
+    return fs::is_regular_file(file, code);
+}
+
 } // namespace
 
 int nearest_mode(const fixture::Type& type, const std::string& name) {
@@ -67,12 +72,12 @@ int nearest_mode(const fixture::Type& type, const std::string& name) {
 fs::path PlotTypes::beside(const std::string& spec) const {
     if (spec.empty() || spec.size() > 200) return {};
     const std::string name = fs::path(spec).filename().string();
-    for (const fs::path& folder : {folder_, folder_ / "fixtures"})
-        for (const char* ending : {"", ".gdtf", ".qxf", ".json"}) {
-            const fs::path file = folder / (name + ending);
-            std::error_code code;
-            if (fixture::has_type_extension(file) && fs::is_regular_file(file, code)) return file;
-        }
+    for (const fs::path& folder : {folder_, folder_ / "fixtures"}) {
+        if (const fs::path file = folder / name; fixture::has_type_extension(file) && is_plain(file))
+            return file;
+        for (const std::string_view ending : fixture::kTypeEndings)
+            if (const fs::path file = folder / (name + std::string(ending)); is_plain(file)) return file;
+    }
     return {};
 }
 
