@@ -2,6 +2,7 @@
 #include "bake/private/distance_stage.h"
 
 #include "bake/hasher.h"
+#include "image/finite.h"
 #include "show/show.h"
 
 #include <algorithm>
@@ -11,10 +12,6 @@
 
 namespace ghost::bake {
 namespace {
-
-bool finite(const glm::vec3& v) {
-    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-}
 
 const scene::Material* material_of(const scene::Stage& stage, const scene::Mesh& mesh) {
     // As the tracer resolves it.
@@ -57,9 +54,9 @@ bool bounds_of(const scene::Mesh& mesh, const glm::mat4& world, scene::StageInst
     instance.low = glm::vec3(std::numeric_limits<float>::max());
     instance.high = -instance.low;
     for (const glm::vec3& vertex : mesh.positions) {
-        if (!finite(vertex)) continue;
+        if (!image::is_finite(vertex)) continue;
         const glm::vec3 at(world * glm::vec4(vertex, 1.0f));
-        if (!finite(at)) return false;
+        if (!image::is_finite(at)) return false;
         instance.low = glm::min(instance.low, at);
         instance.high = glm::max(instance.high, at);
     }
@@ -91,12 +88,8 @@ StageForDistances stage_for_distances(const scene::Stage& stage, Report& report)
         if (instance.fixture != scene::kNone || instance.mesh < 0 ||
             instance.mesh >= static_cast<int>(stage.meshes.size()))
             return;
-        bool good = true;
-        for (int column = 0; column < 4; ++column)
-            good =
-                good && finite(glm::vec3(instance.world[column])) && std::isfinite(instance.world[column].w);
         const auto mesh = static_cast<std::size_t>(instance.mesh);
-        if (!good || !bounds_of(stage.meshes[mesh], instance.world, placed[k])) {
+        if (!image::is_finite(instance.world) || !bounds_of(stage.meshes[mesh], instance.world, placed[k])) {
             lost[k] = 1;
             return;
         }

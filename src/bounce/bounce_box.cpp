@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "bounce/bounce_box.h"
 
+#include "image/finite.h"
+
 #include <cmath>
 #include <limits>
 
@@ -17,7 +19,7 @@ struct Bounds {
 
     bool empty() const { return low.x > high.x; }
     void add(const glm::vec3& point, float margin = 0) {
-        if (!std::isfinite(point.x) || !std::isfinite(point.y) || !std::isfinite(point.z)) return;
+        if (!image::is_finite(point)) return;
         low = glm::min(low, point - margin);
         high = glm::max(high, point + margin);
     }

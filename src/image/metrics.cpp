@@ -3,6 +3,7 @@
 
 #include "base/check.h"
 #include "image/colour.h"
+#include "image/finite.h"
 
 #include <algorithm>
 #include <cmath>
@@ -23,10 +24,6 @@ glm::vec3 pixel_of(const ImageF& image, std::size_t pixel) {
 
 void put(ImageF& image, std::size_t pixel, const glm::vec3& value) {
     for (std::size_t k = 0; k < 3; ++k) image.samples[pixel * 3 + k] = value[static_cast<int>(k)];
-}
-
-bool finite(const glm::vec3& value) {
-    return std::isfinite(value.x) && std::isfinite(value.y) && std::isfinite(value.z);
 }
 
 bool inside(const Circle& circle, std::size_t pixel, int width) {
@@ -86,14 +83,14 @@ Result<PicturePair> pair_up(ImageF test, ImageF reference, const std::vector<Cir
     pair.counts.assign(test.samples.size() / 3, 1);
     for (std::size_t p = 0; p < pair.counts.size(); ++p) {
         const glm::vec3 r = pixel_of(reference, p);
-        const bool whole = finite(r) && finite(pixel_of(test, p));
+        const bool whole = is_finite(r) && is_finite(pixel_of(test, p));
         const bool masked = std::any_of(masked_out.begin(), masked_out.end(),
                                         [&](const Circle& circle) { return inside(circle, p, test.width); });
         if (whole && !masked) continue;
         if (!masked) ++pair.non_finite;
         pair.counts[p] = 0;
-        put(test, p, finite(r) ? r : glm::vec3(0));
-        put(reference, p, finite(r) ? r : glm::vec3(0));
+        put(test, p, is_finite(r) ? r : glm::vec3(0));
+        put(reference, p, is_finite(r) ? r : glm::vec3(0));
     }
     pair.counted = static_cast<std::size_t>(std::count(pair.counts.begin(), pair.counts.end(), 1));
     if (pair.counted == 0)

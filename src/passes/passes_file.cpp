@@ -2,6 +2,7 @@
 #include "passes/passes_file.h"
 
 #include "image/exr.h"
+#include "image/finite.h"
 
 #include "base/check.h"
 #include "show/show.h"
@@ -109,7 +110,7 @@ Result<std::vector<glm::vec3>> read_picture(const fs::path& path, int width, int
     for (std::size_t k = 0; k < count; ++k) {
         const float* pixel = file.pixels.samples.data() + k * stride;
         const glm::vec3 value(pixel[channel[0]], pixel[channel[1]], pixel[channel[2]]);
-        if (std::isfinite(value.x) && std::isfinite(value.y) && std::isfinite(value.z))
+        if (image::is_finite(value))
             values[k] = value / scale;
         else
             ++bad;

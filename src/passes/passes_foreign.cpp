@@ -2,6 +2,7 @@
 #include "passes/passes_foreign.h"
 
 #include "image/exr.h"
+#include "image/finite.h"
 #include "json_xml_toml/toml_reader.h"
 #include "passes/passes.h"
 #include "passes/passes_file.h"
@@ -80,7 +81,7 @@ Result<void> read_positions(const std::filesystem::path& path, bool y_up, Passes
         const float* pixel = file.pixels.samples.data() + p * stride;
         if (channel[3] >= 0 && !(pixel[channel[3]] > 0.5f)) continue;
         const glm::vec3 at(pixel[channel[0]], pixel[channel[1]], pixel[channel[2]]);
-        if (!std::isfinite(at.x) || !std::isfinite(at.y) || !std::isfinite(at.z)) {
+        if (!image::is_finite(at)) {
             ++bad;
             continue;
         }

@@ -2,6 +2,7 @@
 #include "plots/plot_stage.h"
 
 #include "base/text.h"
+#include "image/finite.h"
 #include "stage/model_reader.h"
 
 #include <algorithm>
@@ -170,11 +171,8 @@ private:
     }
 
     static bool usable(const glm::mat4& matrix) {
-        for (int column = 0; column < 4; ++column)
-            for (int row = 0; row < 4; ++row)
-                if (!std::isfinite(matrix[column][row])) return false;
         const float volume = glm::determinant(glm::mat3(matrix));
-        return std::isfinite(volume) && std::abs(volume) > 1e-20f;
+        return image::is_finite(matrix) && std::isfinite(volume) && std::abs(volume) > 1e-20f;
     }
 
     std::vector<Instance> read(const PlotMesh& mesh) {

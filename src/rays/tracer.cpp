@@ -4,6 +4,7 @@
 #include "rays/sampling.h"
 
 #include "base/check.h"
+#include "image/finite.h"
 
 #include <algorithm>
 #include <cmath>
@@ -26,13 +27,6 @@ struct RayContext {
     float blend = 0.5f;
     float* fractions = nullptr; // of the rays of a packet; null: looking for a first hit
 };
-
-bool finite(const glm::mat4& m) {
-    for (int column = 0; column < 4; ++column)
-        for (int row = 0; row < 4; ++row)
-            if (!std::isfinite(m[column][row])) return false;
-    return true;
-}
 
 glm::vec3 unit_or(const glm::vec3& v, const glm::vec3& fallback) {
     const float length2 = glm::dot(v, v);
@@ -133,7 +127,7 @@ Tracer::Tracer(const scene::Stage& stage) : stage_(stage), textures_(stage) {
         const bool known = instance.mesh >= 0 && instance.mesh < static_cast<int>(meshes_.size());
         if (!known || mesh_scenes_[static_cast<std::size_t>(instance.mesh)] == nullptr) continue;
         const float volume = glm::determinant(glm::mat3(instance.world));
-        if (!finite(instance.world) || !(std::abs(volume) > 1e-18f)) continue;
+        if (!image::is_finite(instance.world) || !(std::abs(volume) > 1e-18f)) continue;
         normal_matrices_.back() = glm::transpose(glm::inverse(glm::mat3(instance.world)));
         RTCGeometry geometry = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_INSTANCE);
         rtcSetGeometryInstancedScene(geometry, mesh_scenes_[static_cast<std::size_t>(instance.mesh)]);
@@ -150,7 +144,8 @@ Tracer::Tracer(const scene::Stage& stage) : stage_(stage), textures_(stage) {
 void Tracer::move(std::size_t instance, const glm::mat4& world, bool is_there) {
     RTCGeometry geometry = rtcGetGeometry(top_, static_cast<unsigned>(instance));
     if (geometry == nullptr) return; // it has no triangle
-    const bool usable = is_there && finite(world) && std::abs(glm::determinant(glm::mat3(world))) > 1e-18f;
+    const bool usable =
+        is_there && image::is_finite(world) && std::abs(glm::determinant(glm::mat3(world))) > 1e-18f;
     if (!usable) return rtcDisableGeometry(geometry);
     rtcEnableGeometry(geometry);
     rtcSetGeometryTransform(geometry, 0, RTC_FORMAT_FLOAT4X4_COLUMN_MAJOR, &world[0][0]);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "stage/model_wire.h"
 
+#include "image/finite.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -192,9 +194,7 @@ private:
         std::int32_t mesh = 0;
         if (!plain(mesh) || !plain(instance.world)) return gone();
         if (mesh < 0 || static_cast<std::size_t>(mesh) >= meshes) return broken("a mesh that is not there");
-        for (int column = 0; column < 4; ++column)
-            for (int row = 0; row < 4; ++row)
-                if (!std::isfinite(instance.world[column][row])) return broken("a place that is no number");
+        if (!image::is_finite(instance.world)) return broken("a place that is no number");
         instance.mesh = mesh;
         return instance;
     }

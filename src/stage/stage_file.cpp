@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "base/text.h"
 #include "fixture_files/common/mesh_check.h"
+#include "image/finite.h"
 #include "json_xml_toml/xml_encoding.h"
 #include "stage/gltf_pack.h"
 #include "stage/model_file.h"
@@ -43,11 +44,8 @@ glm::mat4 matrix_from(const aiMatrix4x4& m) {
 }
 
 bool usable(const glm::mat4& matrix) {
-    for (int column = 0; column < 4; ++column)
-        for (int row = 0; row < 4; ++row)
-            if (!std::isfinite(matrix[column][row])) return false;
     const float determinant = glm::determinant(glm::mat3(matrix));
-    return std::isfinite(determinant) && determinant != 0.0f;
+    return image::is_finite(matrix) && std::isfinite(determinant) && determinant != 0.0f;
 }
 
 // Node tree -> instances. kept[mesh of the file] is the mesh of the stage, or kNone.

@@ -3,6 +3,7 @@
 
 #include "base/check.h"
 #include "base/log.h"
+#include "image/finite.h"
 #include "render/geometry/layout.h"
 #include "shaders/block_bounds.h"
 #include "shaders/g_buffer_cut_frag.h"
@@ -94,11 +95,8 @@ std::vector<glm::vec4> planes_of(const Axes& axes) {
     };
 }
 
-bool finite(const Pose& pose) {
-    for (int column = 0; column < 4; ++column)
-        for (int row = 0; row < 4; ++row)
-            if (!std::isfinite(pose.camera_to_world[column][row])) return false;
-    return pose.fov_y_deg > 0 && pose.fov_y_deg < 180;
+bool usable_pose(const Pose& pose) {
+    return image::is_finite(pose.camera_to_world) && pose.fov_y_deg > 0 && pose.fov_y_deg < 180;
 }
 
 } // namespace
@@ -163,7 +161,7 @@ bool GBuffer::draw(const StageModel& model, const Pose& pose, const Surroundings
                    const std::function<bool()>& stop) {
     CHECK_EQ(static_cast<std::uint32_t>(pose.width), fragments_.width);
     CHECK_EQ(static_cast<std::uint32_t>(pose.height), fragments_.height);
-    CHECK(finite(pose));
+    CHECK(usable_pose(pose));
     const bool goes_on = !is_whole_ && drawn_count_ > 0 && stands_at(pose, surroundings) &&
                          still_revision_ == model.still_revision();
     is_whole_ = false;

@@ -3,6 +3,7 @@
 
 #include "base/check.h"
 #include "base/log.h"
+#include "image/finite.h"
 #include "render/geometry/private/detail_levels.h"
 
 #include <algorithm>
@@ -19,15 +20,8 @@ namespace {
 constexpr float kMostError_px = 0.15f; // of a coarser body: less than samples are apart
 constexpr float kLeastVolume = 1e-18f; // below, an instance is flat: the baker leaves it out too
 
-bool finite(const glm::vec3& v) {
-    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-}
-
 bool placeable(const glm::mat4& m) {
-    for (int column = 0; column < 4; ++column)
-        for (int row = 0; row < 4; ++row)
-            if (!std::isfinite(m[column][row])) return false;
-    return std::abs(glm::determinant(glm::mat3(m))) > kLeastVolume;
+    return image::is_finite(m) && std::abs(glm::determinant(glm::mat3(m))) > kLeastVolume;
 }
 
 glm::vec3 unit_or(const glm::vec3& v, const glm::vec3& fallback) {
@@ -144,7 +138,7 @@ void StageModel::add_meshes(const scene::Stage& stage, Report& report) {
             const glm::vec3 cross = glm::cross(mesh.positions[i[1]] - mesh.positions[i[0]],
                                                mesh.positions[i[2]] - mesh.positions[i[0]]);
             // Not finite, or a line: it covers nothing.
-            if (!finite(cross) || glm::dot(cross, cross) == 0.0f) continue;
+            if (!image::is_finite(cross) || glm::dot(cross, cross) == 0.0f) continue;
             const glm::vec3 facet = unit_or(cross, glm::vec3(0, 0, 1));
             // Files disagree about winding, so only the normals say which side is the front.
             float facing = 0.0f;
