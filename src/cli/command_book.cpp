@@ -4,6 +4,7 @@
 #include "book/book_json.h"
 #include "book/pdf.h"
 #include "cli/commands.h"
+#include "cli/options/checked_run.h"
 #include "cli/options/number_option.h"
 #include "cli/options/print_options.h"
 #include "cli/options/size_option.h"
@@ -155,16 +156,8 @@ void add_book(CLI::App& app, int& exit_code) {
                     "         ghostlight book assets/demo -o book_2 --against book\n"
                     "         ghostlight book assets/demo -o book_3 --marks cues.csv");
     command->callback([a, &exit_code] {
-        if (a->book.session.quiet) set_log_level(LogLevel::warning);
-        if (const Result<void> usage = check_usage(*a); !usage.ok()) {
-            log_error(usage.error().text());
-            exit_code = 2;
-            return;
-        }
-        if (const Result<void> done = make_book(*a); !done.ok()) {
-            log_error(done.error().text());
-            exit_code = 1;
-        }
+        exit_code = checked_run(
+            a->book.session.quiet, [&] { return check_usage(*a); }, [&] { return make_book(*a); });
     });
 }
 

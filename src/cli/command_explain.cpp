@@ -4,6 +4,7 @@
 #include "base/interrupt.h"
 #include "cli/commands.h"
 #include "cli/options/bounce_option.h"
+#include "cli/options/checked_run.h"
 #include "cli/options/input_options.h"
 #include "cli/options/number_option.h"
 #include "diagnose/explain_print.h"
@@ -318,16 +319,8 @@ void add_explain(CLI::App& app, int& exit_code) {
     command->add_flag("--quiet", options->quiet, "print warnings and errors only, beside the answer");
     add_input_options(*command, options->input);
     command->callback([options, &exit_code] {
-        if (options->quiet) set_log_level(LogLevel::warning);
-        if (const Result<void> usage = check_usage(*options); !usage.ok()) {
-            log_error(usage.error().text());
-            exit_code = 2;
-            return;
-        }
-        if (const Result<void> done = run(*options); !done.ok()) {
-            log_error(done.error().text());
-            exit_code = 1;
-        }
+        exit_code = checked_run(
+            options->quiet, [&] { return check_usage(*options); }, [&] { return run(*options); });
     });
 }
 

@@ -4,6 +4,7 @@
 #include "cli/commands.h"
 #include "cli/doctor/doctor_files.h"
 #include "cli/options/bounce_option.h"
+#include "cli/options/checked_run.h"
 #include "cli/options/input_options.h"
 #include "cli/options/live_options.h"
 #include "cli/options/size_option.h"
@@ -163,16 +164,8 @@ void add_open(CLI::App& app, int& exit_code) {
     command->footer("Example: ghostlight open assets/demo\n"
                     "         ghostlight open tour.mvr --full-screen");
     command->callback([a, &exit_code] {
-        if (a->quiet) set_log_level(LogLevel::warning);
-        if (const Result<void> usage = check_usage(*a); !usage.ok()) {
-            log_error(usage.error().text());
-            exit_code = 2;
-            return;
-        }
-        if (const Result<void> done = run(*a); !done.ok()) {
-            log_error(done.error().text());
-            exit_code = 1;
-        }
+        exit_code = checked_run(
+            a->quiet, [&] { return check_usage(*a); }, [&] { return run(*a); });
     });
 }
 

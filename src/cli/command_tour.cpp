@@ -3,6 +3,7 @@
 #include "book/book_json.h"
 #include "book/tour_html.h"
 #include "cli/commands.h"
+#include "cli/options/checked_run.h"
 #include "cli/options/number_option.h"
 #include "cli/options/print_options.h"
 #include "cli/options/size_option.h"
@@ -147,16 +148,8 @@ void add_tour(CLI::App& app, int& exit_code) {
     command->footer("Example: ghostlight tour assets/demo -o tour --view house --view close\n"
                     "         ghostlight tour assets/demo -o tour --film 8 --film-from 20 --language de");
     command->callback([a, &exit_code] {
-        if (a->book.session.quiet) set_log_level(LogLevel::warning);
-        if (const Result<void> usage = check_usage(*a); !usage.ok()) {
-            log_error(usage.error().text());
-            exit_code = 2;
-            return;
-        }
-        if (const Result<void> done = make_tour(*a); !done.ok()) {
-            log_error(done.error().text());
-            exit_code = 1;
-        }
+        exit_code = checked_run(
+            a->book.session.quiet, [&] { return check_usage(*a); }, [&] { return make_tour(*a); });
     });
 }
 
