@@ -22,7 +22,7 @@ LIBRARIES = {
     "vulkan/": {"gpu", "render"},
     "embree3/": {"rays"},
     "embree4/": {"rays"},
-    "tbb/": {"reference", "bake", "render/haze"},
+    "tbb/": {"reference", "bake", "render/geometry", "render/haze"},
     "qrencode.h": {"web"},
     "zip.h": {"archives", "mvr"},
     "xxhash.h": {"bake"},
