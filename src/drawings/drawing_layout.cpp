@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "drawings/private/drawing.h"
 
+#include "base/natural_order.h"
 #include "print/quantities.h"
 
 #include <algorithm>
