@@ -22,7 +22,6 @@ Error failed(const std::string& what, const std::error_code& code, const fs::pat
     return Error{what + ": " + code.message(), path.string()};
 }
 
-// Those of programs that were killed.
 void remove_leftovers_of(const fs::path& folder) {
     const std::string start = "." + folder.stem().string() + ".part";
     std::error_code code;
@@ -35,41 +34,51 @@ void remove_leftovers_of(const fs::path& folder) {
     for (const fs::path& one : left) fs::remove_all(one, code);
 }
 
-// All but folders, from the folder on.
+// From the folder on; of folders those with nothing in them, as "old/".
 Result<std::set<std::string>> files_in(const fs::path& folder) {
     std::set<std::string> files;
     std::error_code code;
     for (fs::recursive_directory_iterator entry(folder, code), end; !code && entry != end;
-         entry.increment(code))
+         entry.increment(code)) {
+        const std::string name = entry->path().lexically_relative(folder).generic_string();
         if (entry->is_symlink(code) || !entry->is_directory(code))
-            files.insert(entry->path().lexically_relative(folder).generic_string());
+            files.insert(name);
+        else if (fs::is_empty(entry->path(), code))
+            files.insert(name + "/");
+    }
     if (code) return failed("cannot be read", code, folder);
     files.erase(kListName);
     return files;
 }
 
-// Error: it is not all ours.
-Result<void> check_ours(const fs::path& folder, const std::string& kind) {
+// Error: it is not all ours. folder: where it lies now; place: as people know it.
+Result<void> check_ours(const fs::path& folder, const fs::path& place, const std::string& kind) {
+    if (!fs::is_directory(fs::symlink_status(folder)))
+        return Error{"is there and is no folder: it is not replaced", place.string()};
     TRY(const std::set<std::string> files, files_in(folder));
     std::error_code code;
     if (files.empty() && !fs::exists(folder / kListName, code)) return {};
     const Result<std::string> list = read_text_file(folder / kListName, kMostListBytes);
     const std::string head = kMaker + kind + "\n";
     if (!list.ok() || !list->starts_with(head))
-        return Error{"is there and is no " + kind +
+        return Error{"is there" + (files.empty() ? "" : " with '" + *files.begin() + "'") + " and is no " +
+                         kind +
                          " that Ghostlight made (which .ghostlight in it would tell): it is not replaced",
-                     folder.string()};
+                     place.string()};
     std::set<std::string> made;
     for (std::size_t begin = head.size(), end; begin < list->size(); begin = end + 1) {
         end = std::min(list->find('\n', begin), list->size());
         made.insert(list->substr(begin, end - begin));
     }
-    for (const std::string& file : files)
-        if (!made.contains(file))
-            return Error{"has '" + file +
-                             "', which Ghostlight did not make: it is not replaced before that is "
-                             "elsewhere",
-                         folder.string()};
+    for (const std::string& file : files) {
+        // A folder out of which somebody took our files is ours.
+        const auto within = made.lower_bound(file);
+        if (within != made.end() && (*within == file || (file.ends_with('/') && within->starts_with(file))))
+            continue;
+        return Error{"has '" + file +
+                         "', which Ghostlight did not make: it is not replaced before that is elsewhere",
+                     place.string()};
+    }
     return {};
 }
 
@@ -82,16 +91,17 @@ Result<WholeFolder> WholeFolder::open(const fs::path& folder, const std::string&
     if (code || !place.has_filename()) return Error{"is no name for a folder", folder.string()};
     if (!fs::is_directory(place.parent_path(), code))
         return Error{"no such folder", place.parent_path().string()};
-    const fs::file_status there = fs::symlink_status(place, code);
-    if (fs::exists(there)) {
-        if (!fs::is_directory(there))
-            return Error{"is there and is no folder: it is not replaced", place.string()};
-        TRY_VOID(check_ours(place, kind));
-    }
+    if (fs::exists(fs::symlink_status(place, code))) TRY_VOID(check_ours(place, place, kind));
     remove_leftovers_of(place);
     fs::path temporary = temporary_beside(place);
     if (!fs::create_directory(temporary, code)) return failed("cannot be made", code, place);
     return WholeFolder(std::move(place), std::move(temporary), kind);
+}
+
+void WholeFolder::remove_leftovers(const fs::path& folder) {
+    std::error_code code;
+    const fs::path place = fs::absolute(folder, code).lexically_normal();
+    if (!code) remove_leftovers_of(place.has_filename() ? place : place.parent_path());
 }
 
 WholeFolder::WholeFolder(WholeFolder&& other) noexcept
@@ -117,17 +127,20 @@ Result<void> WholeFolder::commit() {
     TRY_VOID(write_file_atomic(temporary_ / kListName, list));
     std::error_code code;
     fs::path before;
-    if (fs::exists(folder_, code)) {
+    const auto put_back = [&](const Error& error) {
+        if (!before.empty()) fs::rename(before, folder_, code);
+        return error;
+    };
+    if (fs::exists(fs::symlink_status(folder_, code))) {
         before = temporary_beside(folder_);
         fs::rename(folder_, before, code);
         if (code) return failed("cannot be replaced", code, folder_);
+        // Since open() somebody may have put something there; here nobody does any more.
+        if (const Result<void> ours = check_ours(before, folder_, kind_); !ours.ok())
+            return put_back(ours.error());
     }
     fs::rename(temporary_, folder_, code);
-    if (code) {
-        const Error error = failed("cannot be put into place", code, folder_);
-        if (!before.empty()) fs::rename(before, folder_, code);
-        return error;
-    }
+    if (code) return put_back(failed("cannot be put into place", code, folder_));
     temporary_.clear();
     if (!before.empty()) fs::remove_all(before, code);
     return {};

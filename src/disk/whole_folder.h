@@ -1,9 +1,9 @@
 #pragma once
 // SPDX-License-Identifier: Apache-2.0
 // WholeFolder: a folder of files that is put into its place whole, or not at all: it is written beside it
-// under a temporary name. What stands in its place is replaced only where we made all of it: a list in it,
-// ".ghostlight", tells its kind and its files. What killed programs left of theirs is removed. Errors name
-// the folder. One thread at a time.
+// under a temporary name. What stands in its place is replaced only where it is empty or we made all of it,
+// which is looked at in the beginning and in the end: a list in it, ".ghostlight", tells its kind and its
+// files. What killed programs left of theirs is removed. Errors name the folder. One thread at a time.
 
 #include "base/result.h"
 
@@ -18,12 +18,16 @@ public:
     // or the folder around it is not there or cannot be written.
     static Result<WholeFolder> open(const std::filesystem::path& folder, const std::string& kind);
 
+    // What programs that were killed left beside it.
+    static void remove_leftovers(const std::filesystem::path& folder);
+
     WholeFolder(WholeFolder&& other) noexcept;
     WholeFolder& operator=(WholeFolder&&) = delete;
     ~WholeFolder(); // what was not committed goes
 
     const std::filesystem::path& written_to() const { return temporary_; }
     Result<void> make_folder(const std::string& name) const; // below written_to()
+    // Error: since open() something of somebody else came there; it stays.
     Result<void> commit();
 
 private:

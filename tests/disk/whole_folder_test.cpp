@@ -87,6 +87,51 @@ TEST(WholeFolder, never_replaces_a_folder_with_a_file_of_the_same_name) {
     EXPECT_EQ(must(read_text_file(out / "book.json", 10)), "{}");
 }
 
+TEST(WholeFolder, leaves_what_somebody_put_there_meanwhile) {
+    const TestFolder home;
+    const fs::path out = home.path / "book";
+    for (const bool was_there : {false, true}) {
+        if (was_there) make(out, "cue book", "1");
+        WholeFolder folder = must(WholeFolder::open(out, "cue book"));
+        write(folder.written_to() / "book.json", "2");
+        fs::create_directories(out);
+        write(out / "thesis.txt", "mine");
+        const Result<void> refused = folder.commit();
+        ASSERT_FALSE(refused.ok());
+        EXPECT_NE(refused.error().what.find("thesis.txt"), std::string::npos) << refused.error().what;
+        EXPECT_EQ(refused.error().where, out.string());
+        EXPECT_EQ(must(read_text_file(out / "thesis.txt", 10)), "mine");
+        EXPECT_EQ(fs::exists(out / "book.json"), was_there);
+        { const WholeFolder gone = std::move(folder); }
+        EXPECT_EQ(entries_of(home.path), 1u) << "what we made goes";
+        fs::remove_all(out);
+    }
+    WholeFolder folder = must(WholeFolder::open(out, "cue book"));
+    write(out, "a file");
+    EXPECT_FALSE(folder.commit().ok());
+    EXPECT_EQ(must(read_text_file(out, 10)), "a file");
+}
+
+TEST(WholeFolder, leaves_folders_of_somebody_else) {
+    const TestFolder home;
+    const fs::path out = home.path / "book";
+    fs::create_directories(out / "Photos/2026");
+    EXPECT_FALSE(WholeFolder::open(out, "cue book").ok());
+    EXPECT_TRUE(fs::exists(out / "Photos/2026"));
+    fs::remove_all(out);
+    {
+        WholeFolder folder = must(WholeFolder::open(out, "cue book"));
+        ASSERT_TRUE(folder.make_folder("old").ok());
+        ASSERT_TRUE(folder.make_folder("pictures").ok());
+        write(folder.written_to() / "pictures/1.png", "1");
+        ASSERT_TRUE(folder.commit().ok());
+    }
+    fs::remove(out / "pictures/1.png");
+    EXPECT_TRUE(WholeFolder::open(out, "cue book").ok()) << "empty ones of ours";
+    fs::create_directory(out / "mine");
+    EXPECT_FALSE(WholeFolder::open(out, "cue book").ok());
+}
+
 TEST(WholeFolder, replaces_none_whose_list_is_above_64_MiB) {
     const TestFolder home;
     const fs::path out = home.path / "book";
