@@ -25,6 +25,9 @@ class Book extends HTMLElement {
     this.urls = [];
     this.fetching = 0;
     this.round = 0;
+    this.reading = 0;
+    this.isReading = false;
+    this.opens = -1;
     this.watcher = new IntersectionObserver((seen) => {
       for (const {isIntersecting, target} of seen) {
         if (!isIntersecting) continue;
@@ -35,12 +38,40 @@ class Book extends HTMLElement {
     }, {rootMargin: "400px"});
     onShown(this, () => this.read(false));
     hear("isOpen", () => this.read(false));
+    hear("began", () => {
+      this.opens = -1;
+      this.forget();
+    });
+    hear("show", () => {
+      if (this.opens >= 0 && this.opens !== now.show.opens) this.forget();
+      this.opens = now.show.opens;
+      this.read(false);
+    });
+  }
+
+  // Of another server or show; what is on its way is of the one before.
+  forget() {
+    ++this.reading;
+    this.isReading = false;
+    this.text = "";
+    this.about.textContent = "";
+    this.clear();
+    this.body.replaceChildren();
+  }
+
+  clear() {
+    ++this.round;
+    for (const url of this.urls) URL.revokeObjectURL(url);
+    this.urls = [];
+    this.wanted = [];
+    this.watcher.disconnect();
   }
 
   /** @param {boolean} anew */
   async read(anew) {
     if (this.hidden || !now.isOpen || this.isReading || (this.text && !anew)) return;
     this.isReading = true;
+    const reading = ++this.reading;
     this.about.textContent = "Reading the book ...";
     try {
       const answer = await fetchWithToken("/book/book.json");
@@ -51,9 +82,11 @@ class Book extends HTMLElement {
       const other = await fetchWithToken("/book/difference.json");
       const words = await other.text();
       const problem = other.ok ? "" : `What became of the older book cannot be shown: ${words.trim()}`;
+      if (reading !== this.reading) return;
       this.build(JSON.parse(text), other.ok ? JSON.parse(words) : null, problem);
       this.text = text;
     } catch (problem) {
+      if (reading !== this.reading) return;
       this.about.textContent = `${/** @type {Error} */ (problem).message}`;
     }
     this.isReading = false;
@@ -61,11 +94,7 @@ class Book extends HTMLElement {
 
   /** @param {any} book @param {any} difference null: there is none @param {string} problem why it is not shown */
   build(book, difference, problem) {
-    ++this.round;
-    for (const url of this.urls) URL.revokeObjectURL(url);
-    this.urls = [];
-    this.wanted = [];
-    this.watcher.disconnect();
+    this.clear();
     this.size = {width: String(book.size[0]), height: String(book.size[1])};
     const {length} = book.entries;
     this.about.textContent = `${book.show || "The show"}: ${length} ${length === 1 ? "entry" : "entries"} (${book.kind}), drawn by ${book.device}`;

@@ -25,6 +25,7 @@ export const now = {
                      latencyMs: NaN,      // from the desk's packet to the screen, of the newest picture that has one
                      line: "connecting",  // what the connection is like, in words
                      isOpen: false,
+                     began: "",  // the token of the server that is looked at
 };
 
 /** @param {string} topic @param {() => void} tell */

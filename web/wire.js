@@ -45,6 +45,7 @@ export function begin(withToken, picture, refused) {
   const before = socket;
   socket = null;
   before?.close();
+  put("began", token);
   connect();
 }
 

@@ -284,6 +284,24 @@ class Web(unittest.TestCase):
             difference.write_text(good, encoding="utf-8")
         page.call("Page.close")
 
+    def test_the_book_of_another_server_is_read_anew(self):
+        port = free_port()
+        serve = self.show.serve_desk(port=port)
+        page = self.browser.page(serve.address)
+        page.until("document.querySelector('.line').textContent === 'live'")
+        page.key("5")
+        page.until("document.querySelector('ghost-book h2')?.textContent.startsWith('Since')")
+        serve.process.kill()
+        serve.process.wait()
+        page.until("document.querySelector('.line').textContent.includes('trying again')")
+        again = self.show.serve("--sacn-port", self.show.sacn, "--protocols", "sacn", "--book", self.show.work / "old", port=port)
+        page.go(again.address)
+        page.until("document.querySelector('.line').textContent === 'live'")
+        page.until("document.querySelectorAll('ghost-book article').length === 2 && !document.querySelector('ghost-book h2').textContent.startsWith('Since')")
+        page.until("document.querySelector('ghost-book img').naturalWidth > 0")
+        self.assertEqual(again.close(), 0)
+        page.call("Page.close")
+
     def test_a_page_of_which_a_file_did_not_come_opens_itself_again(self):
         for missing in ("book.js", "main.js", "style.css"):
             page = self.browser.page()
