@@ -7,12 +7,15 @@
 #include <algorithm>
 #include <charconv>
 #include <optional>
+#include <utility>
 
 namespace ghost::scene {
 namespace {
 
 constexpr double kLatestMark_s = 366.0 * 86400.0;
 constexpr std::size_t kMostCells = 64;
+constexpr std::size_t kMostColumns = 4; // that are read
+constexpr double kDropFramesPer_s = 30;
 constexpr std::size_t kMostLetters = 1000; // of a cell, as of a text of show.toml
 
 struct CsvRow {
@@ -20,8 +23,34 @@ struct CsvRow {
     std::vector<std::string> cells;
 };
 
-std::vector<CsvRow> csv_rows(std::string_view text) {
-    if (text.starts_with("\xef\xbb\xbf")) text.remove_prefix(3);
+// "00:01:23;12", with what follows it.
+bool begins_with_drop_frame(std::string_view line) {
+    const std::size_t end = line.find_first_not_of("0123456789:");
+    const std::string_view time = line.substr(0, end);
+    return end != std::string_view::npos && line[end] == ';' &&
+           std::count(time.begin(), time.end(), ':') == 2;
+}
+
+// Of the first line that has one, outside of quotes and of time code: a spreadsheet whose decimals have
+// commas writes ';'.
+char separator_of(std::string_view text) {
+    for (const std::string_view whole : split(text, '\n')) {
+        std::string_view line = trimmed(whole);
+        if (line.starts_with('#')) continue;
+        if (begins_with_drop_frame(line)) line.remove_prefix(line.find(';') + 1);
+        std::string bare;
+        bool is_quoted = false;
+        for (const char letter : line) {
+            is_quoted = is_quoted != (letter == '"');
+            if (!is_quoted) bare += letter;
+        }
+        for (const char separator : {';', '\t', ','})
+            if (bare.find(separator) != std::string::npos) return separator;
+    }
+    return ',';
+}
+
+std::vector<CsvRow> csv_rows(std::string_view text, char separator) {
     std::vector<CsvRow> rows;
     CsvRow row;
     std::string cell;
@@ -42,7 +71,7 @@ std::vector<CsvRow> csv_rows(std::string_view text) {
             cell += text[++k];
         else if (letter == '"')
             is_quoted = !is_quoted;
-        else if (!is_quoted && (letter == ',' || letter == ';' || letter == '\t'))
+        else if (!is_quoted && letter == separator)
             end_cell();
         else if (!is_quoted && letter == '\n')
             end_row();
@@ -62,14 +91,19 @@ std::optional<double> number_from(std::string_view text) {
     return is_whole && value >= 0 && value <= kLatestMark_s ? std::optional(value) : std::nullopt;
 }
 
-// "83.5", "1:23.5", "0:01:23.5", "00:01:23:12".
-std::optional<double> seconds_from(std::string_view text, double frames_per_s) {
+// "83.5", "1:23.5", "0:01:23.5", "00:01:23:12", "00:01:23;12", which keeps to the clock at 29.97 frames.
+std::optional<double> seconds_from(std::string text, double frames_per_s) {
+    const bool is_drop_frame = begins_with_drop_frame(text);
+    if (is_drop_frame && frames_per_s != kDropFramesPer_s) return std::nullopt;
+    if (is_drop_frame) text[text.find(';')] = ':';
     const std::vector<std::string_view> parts = split(text, ':');
     if (parts.size() > 4) return std::nullopt;
     double total = 0;
     for (std::size_t k = 0; k < parts.size(); ++k) {
         const auto part = number_from(parts[k]);
-        if (!part) return std::nullopt;
+        const bool may_have_fraction = k + 1 == parts.size() && k < 3;
+        if (!part || (!may_have_fraction && parts[k].find('.') != std::string_view::npos))
+            return std::nullopt;
         if (k == 3)
             total = *part < frames_per_s ? total + *part / frames_per_s : -1;
         else if (k > 0 && *part >= 60)
@@ -84,23 +118,46 @@ std::optional<double> seconds_from(std::string_view text, double frames_per_s) {
 
 std::vector<Mark> read_marks(std::string_view csv, const std::string& file, double frames_per_s,
                              Report& report) {
+    if (csv.starts_with("\xef\xbb\xbf")) csv.remove_prefix(3);
+    const char separator = separator_of(csv);
+    const std::string parts_at = separator == '\t' ? "a tab" : std::string("a '") + separator + "'";
     std::vector<Mark> marks;
-    const std::vector<CsvRow> rows = csv_rows(csv);
-    for (const CsvRow& row : rows) {
+    std::size_t most_cells = kMostColumns;
+    bool is_first = true;
+    for (const CsvRow& row : csv_rows(csv, separator)) {
         const auto cell = [&](std::size_t k) {
             return k < row.cells.size() ? std::string(trimmed(row.cells[k])) : std::string();
         };
-        const std::string time = cell(0);
-        const bool is_empty = std::all_of(row.cells.begin(), row.cells.end(),
-                                          [](const std::string& one) { return trimmed(one).empty(); });
-        if (is_empty || time.starts_with('#') || (&row == &rows.front() && lower(time) == "time")) continue;
+        std::size_t cells = row.cells.size();
+        while (cells > 0 && cell(cells - 1).empty()) --cells;
+        std::string time = cell(0);
+        if (cells == 0 || time.starts_with('#')) continue;
+        // A heading, whatever its language; columns that it has beyond ours are somebody's own.
+        if (std::exchange(is_first, false) && time.find_first_of("0123456789") == std::string::npos) {
+            most_cells = std::max(most_cells, cells);
+            continue;
+        }
         const std::string where = file + ":" + std::to_string(row.line);
+        const auto refuse = [&](const std::string& what) {
+            report.add(Severity::error, where, what + "; the mark is left out");
+        };
+        if (cells > most_cells) {
+            refuse("a mark has " + std::to_string(cells) + " parts, expected at most " +
+                   std::to_string(most_cells) + " (time, number, name, note); one with " + parts_at +
+                   " of its own stands in quotes");
+            continue;
+        }
+        if (const std::size_t comma = time.find(','); separator != ',' && comma != std::string::npos)
+            time[comma] = '.';
         const auto at_s = seconds_from(time, frames_per_s);
         if (!at_s) {
             const bool has_frames = std::count(time.begin(), time.end(), ':') == 3 && !(frames_per_s > 0);
-            report.add(Severity::error, where,
-                       "the time of a mark is '" + time.substr(0, 40) + "', expected seconds or H:MM:SS" +
-                           (has_frames ? "; frames need --mark-fps" : "") + "; the mark is left out");
+            const bool is_drop_frame = begins_with_drop_frame(time) && frames_per_s != kDropFramesPer_s;
+            refuse("the time of a mark is '" + cell(0).substr(0, 40) +
+                   "', expected seconds or H:MM:SS before " + parts_at + ", as in the first line" +
+                   (is_drop_frame ? "; drop-frame time code needs --mark-fps 30"
+                    : has_frames  ? "; frames need --mark-fps"
+                                  : ""));
             continue;
         }
         if (marks.size() == kMostEntries) {

@@ -1,8 +1,9 @@
 #pragma once
 // SPDX-License-Identifier: Apache-2.0
 // Marks: moments of a recording that somebody wrote down, in an audio editor or a spreadsheet: CSV (RFC 4180)
-// with time, number, name and note, of which the last three may be missing. A time is seconds, H:MM:SS.s, or
-// time code with frames. What is no mark goes to the report with its line; the others are kept. Pure.
+// with time, number, name and note, of which the last three may be missing, parted by what parts the first
+// line: ';' or a tab, with which decimals may have a comma, else ','. A time is seconds, H:MM:SS.s, or time
+// code with frames. What is no mark goes to the report with its line; the others are kept. Pure.
 
 #include "base/report.h"
 

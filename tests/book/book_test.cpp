@@ -354,7 +354,7 @@ TEST(BookPage, is_german_where_it_is_asked_for) {
 TEST(Marks, are_read_and_what_is_none_is_said) {
     Report report;
     const std::string csv = "\xef\xbb\xbftime,number,name,note\r\n1:23.5,12,\"Solo, \"\"slow\"\"\",\r\n"
-                            "5;3;Haze;from the left\nsoon,4,Never,\n\n# a remark\n00:00:10:12,5,,\n"
+                            "5,3,Haze,from the left\nsoon,4,Never,\n\n# a remark\n00:00:10:12,5,,\n"
                             "0:75,6,,\n-1,7,,\n9";
     const std::vector<Mark> marks = read_marks(csv, "cues.csv", 25, report);
     ASSERT_EQ(marks.size(), 4u) << "in the order of time";
@@ -384,6 +384,41 @@ TEST(Marks, are_read_and_what_is_none_is_said) {
     EXPECT_FALSE(plan_book(show, {}, BookKind::marks, {}, {}, {}).ok());
     show.recording.clear();
     EXPECT_FALSE(plan_book(show, {}, BookKind::marks, {}, {}, marks).ok());
+}
+
+TEST(Marks, have_the_separator_of_their_first_line) {
+    Report report;
+    const auto spreadsheet = read_marks("Zeit;Nummer;Name;Notiz\n10,5;1;Blau, dann rot;Notiz\n"
+                                        "\"00:00:20;15\";2;Rot;\n30,5,3,Gold\n0:40,25;4\n",
+                                        "marks_de.csv", 30, report);
+    ASSERT_EQ(spreadsheet.size(), 3u);
+    EXPECT_EQ(spreadsheet[0].at_s, 10.5);
+    EXPECT_EQ(spreadsheet[0].number, "1");
+    EXPECT_EQ(spreadsheet[0].name, "Blau, dann rot");
+    EXPECT_EQ(spreadsheet[0].note, "Notiz");
+    EXPECT_EQ(spreadsheet[1].at_s, 20.5);
+    EXPECT_EQ(spreadsheet[2].at_s, 40.25);
+    ASSERT_EQ(report.messages.size(), 1u);
+    EXPECT_EQ(report.messages[0].where, "marks_de.csv:4");
+    EXPECT_NE(report.messages[0].what.find("'30,5,3,Gold', expected seconds or H:MM:SS before a ';'"),
+              std::string::npos)
+        << report.messages[0].what;
+
+    const auto drop_frame = read_marks("00:00:36;15,12,Solo\n00:01:00;00\n7;8\n", "", 30, report);
+    ASSERT_EQ(drop_frame.size(), 2u);
+    EXPECT_EQ(drop_frame[0].at_s, 36.5);
+    EXPECT_EQ(drop_frame[0].number, "12");
+    EXPECT_EQ(drop_frame[1].at_s, 60);
+    Report rateless;
+    EXPECT_TRUE(read_marks("00:00:36;15,12\n", "", 25, rateless).empty());
+    EXPECT_NE(rateless.messages.at(0).what.find("--mark-fps 30"), std::string::npos);
+
+    EXPECT_EQ(read_marks("10,5\tone\n", "", 0, report).at(0).at_s, 10.5);
+    Report refused;
+    EXPECT_TRUE(
+        read_marks("time,number,name,note\n10,5,1,Blau,Notiz\n1.5:30,2\n", "m.csv", 0, refused).empty());
+    ASSERT_EQ(refused.messages.size(), 2u);
+    EXPECT_NE(refused.messages[0].what.find("5 parts, expected at most 4"), std::string::npos);
 }
 
 } // namespace
