@@ -17,6 +17,7 @@ constexpr double kFinest_mm = 0.05; // on paper
 constexpr double kWidestLabel = 17; // times the height of its letters
 constexpr double kWidestBarLabel_pt = 190;
 constexpr double kLeastSymbol_pt = 3; // smaller ones would be a dot
+constexpr double kBarBelow_pt = 20;   // beside what the grid's numbers leave below a drawing
 constexpr double kSamePlace_pt = 2;   // in a section: behind each other
 
 bool is_finite(const glm::dvec2& point) {
@@ -92,6 +93,27 @@ void Drawing::choose_frame(const Outlines& rough) {
 Result<std::size_t> Drawing::lay_out(int& scale) {
     if (!is_plan_) bodies_ = bodies_seen(show_, stage_, view_);
     choose_frame(outlines_of(stage_, view_, 0.02));
+    TRY_VOID(spread(scale));
+    const auto labels_of = [&] {
+        Labels labels({{0, 0}, frame_.size() * metre_pt_});
+        for (const DrawnSymbol& symbol : symbols_) labels.keep_free(symbol.box);
+        return labels;
+    };
+    Labels labels = labels_of();
+    if (!furnish(labels)) {
+        is_bar_below_ = true;
+        room_.drawing.high.y -= kBarBelow_pt;
+        TRY_VOID(spread(scale));
+        labels = labels_of();
+        (void)furnish(labels);
+    }
+    outlines_ = outlines_of(stage_, view_, kFinest_mm * 1e-3 * scale);
+    place_bars(labels);
+    place_labels(labels);
+    return columns_ * rows_;
+}
+
+Result<void> Drawing::spread(int& scale) {
     const glm::dvec2 room = room_.drawing.size();
     const std::optional<int> fits = fitting_scale(frame_.size(), room, style_.units);
     const std::string format(format_of(options_.paper).name);
@@ -117,17 +139,13 @@ Result<std::size_t> Drawing::lay_out(int& scale) {
                      show_.file.string()};
     columns_ = static_cast<std::size_t>(columns);
     rows_ = static_cast<std::size_t>(rows);
-    outlines_ = outlines_of(stage_, view_, kFinest_mm * 1e-3 * scale);
     place_symbols();
-    Labels labels({{0, 0}, size});
-    for (const DrawnSymbol& symbol : symbols_) labels.keep_free(symbol.box);
-    furnish(labels);
-    place_bars(labels);
-    place_labels(labels);
-    return columns_ * rows_;
+    return {};
 }
 
 void Drawing::place_symbols() {
+    symbols_.clear();
+    is_any_enlarged_ = false;
     for (const RiggedFixture& fixture : rig_) {
         DrawnSymbol& symbol = symbols_.emplace_back();
         symbol.kind = fixture.kind;
@@ -144,6 +162,7 @@ void Drawing::place_symbols() {
             }
         if (is_plan_) take_lines(fixture, symbol);
         if (!symbol.bodies.empty() || !symbol.lines.empty()) continue;
+        is_any_enlarged_ = is_any_enlarged_ || symbol.place.size_pt != fixture.size_m * metre_pt_;
         for (const double x : {-0.5, 0.5})
             for (const double y : {-0.5, 0.5})
                 symbol.box.include(symbol.place.at + x * symbol.place.size_pt.x * symbol.place.right +
@@ -312,6 +331,7 @@ void Drawing::place_labels(Labels& labels) {
 
 std::vector<std::string> Drawing::notes(std::size_t unlabelled) const {
     std::vector<std::string> said;
+    const std::string least = style_.number(kLeastSymbol_pt, 0);
     said.push_back(style_("Beside a symbol: [number on the position] (channel) universe.address."));
     const auto of_files = std::count_if(symbols_.begin(), symbols_.end(),
                                         [](const DrawnSymbol& one) { return !one.lines.empty(); });
@@ -319,10 +339,18 @@ std::vector<std::string> Drawing::notes(std::size_t unlabelled) const {
         said.push_back(style_("Symbols are those of the fixtures' own files (GDTF) where they have one."));
     if (is_plan_ && of_files == 0)
         said.push_back(
-            style_("Symbols stand for what a type does, as large as its body, turned as it hangs."));
+            is_any_enlarged_
+                ? style_("Symbols stand for what a type does, as large as its body but at least %1 points, "
+                         "turned as it hangs.",
+                         {least})
+                : style_("Symbols stand for what a type does, as large as its body, turned as it hangs."));
     if (is_plan_ && of_files > 0 && of_files < std::ssize(symbols_))
-        said.push_back(style_("Symbols without such a file stand for what a type does, as large as its body, "
-                              "turned as it hangs."));
+        said.push_back(is_any_enlarged_
+                           ? style_("Symbols without such a file stand for what a type does, as large as its "
+                                    "body but at least %1 points, turned as it hangs.",
+                                    {least})
+                           : style_("Symbols without such a file stand for what a type does, as large as its "
+                                    "body, turned as it hangs."));
     if (show_.fixtures.empty()) said.push_back(style_("The show has no fixtures."));
     // Bodies of lamps are no stage.
     if (std::all_of(stage_.instances.begin(), stage_.instances.end(),
@@ -359,6 +387,9 @@ std::vector<std::string> Drawing::notes(std::size_t unlabelled) const {
     if (unnamed_bars_ > 0)
         said.push_back(style_("Names of trusses and hanging positions that found no room: %1.",
                               {std::to_string(unnamed_bars_)}));
+    if (wordless_ > 0)
+        said.push_back(style_("HOUSE, UP-STAGE and names of lines that found no room: %1.",
+                              {std::to_string(wordless_)}));
     if (!show_.movers.empty())
         said.push_back(style_("What movers carry is drawn where the show has it, not as in a look."));
     if (outlines_.simplified > 0)

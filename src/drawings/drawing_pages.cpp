@@ -199,6 +199,7 @@ void Drawing::draw(TitleBlock title, std::size_t first_sheet, std::size_t sheets
             draw_match_marks(window, column, row, first_sheet);
             draw_furniture(part);
             pdf_.end_clip();
+            if (!part.scale_bar.is_empty()) draw_scale_bar(part.scale_bar);
             const glm::dvec2 corners[] = {
                 window.low, {window.high.x, window.low.y}, window.high, {window.low.x, window.high.y}};
             pdf_.shape(corners, true, {.line_grey = 0.4, .width_pt = 0.4});

@@ -32,6 +32,11 @@ constexpr PdfText kTiny{.size_pt = 5.8, .is_middle = true};
 constexpr PdfText kCaption{.size_pt = 5.8};
 constexpr PdfText kSaid{.size_pt = 7, .is_grey = true};
 
+struct CardFact {
+    std::string text;
+    bool gives_way = false; // a name, which may be as long as somebody likes
+};
+
 class FocusPages {
 public:
     FocusPages(const FocusChart& chart, PaperSize paper)
@@ -102,21 +107,22 @@ private:
         double y = at.y;
         const std::string number = lamp.number.empty() ? "" : "(" + lamp.number + ") ";
         y += pdf_.text(x, y, width, 24, number + lamp.name, kName) + 1;
-        const auto fact = [&](const std::string& text) {
-            if (!text.empty() && y + kFactLine_pt < at.y + side)
-                y += pdf_.text(x, y, width, at.y + side - y, text, kFact) + 0.6;
+        std::vector<CardFact> facts;
+        const auto fact = [&](const std::string& text, bool gives_way = false) {
+            if (!text.empty()) facts.push_back({text, gives_way});
         };
         const auto at_place = [&](const glm::vec3& point) {
             return across_text(style_, static_cast<double>(point.x)) + "\n   " +
                    along_text(style_, static_cast<double>(point.y)) + "\n   z " +
                    style_.length_said(static_cast<double>(point.z));
         };
-        if (!lamp.position.empty()) fact(lamp.position + (lamp.unit.empty() ? "" : " [" + lamp.unit + "]"));
+        if (!lamp.position.empty())
+            fact((lamp.unit.empty() ? "" : "[" + lamp.unit + "] ") + lamp.position, true);
         fact(style_("place") + ": " + at_place(lamp.place_m));
-        if (!lamp.focus_point.empty()) fact(style_("focus point") + ": " + lamp.focus_point);
+        if (!lamp.focus_point.empty()) fact(style_("focus point") + ": " + lamp.focus_point, true);
         if (lamp.hit) {
             fact(style_("aims at") + ": " + at_place(lamp.aim_m()));
-            if (!lamp.hit->what.empty()) fact(style_("hits") + ": " + lamp.hit->what);
+            if (!lamp.hit->what.empty()) fact(style_("hits") + ": " + lamp.hit->what, true);
         } else if (!lamp.is_aim_known()) {
             fact(style_("aims at") + ": " + style_("not known"));
         } else if (chart_.has_stage) {
@@ -135,6 +141,23 @@ private:
         fact(style_("light") + ": " +
              (lamp.light_percent < 1 ? style_("dark")
                                      : style_.number(static_cast<double>(lamp.light_percent), 0) + " %"));
+        draw_facts(facts, {x, y}, width, at.y + side);
+    }
+
+    // Figures are whole; names have the lines that these leave, one at least.
+    void draw_facts(const std::vector<CardFact>& facts, glm::dvec2 at, double width, double end) {
+        constexpr double kGap_pt = 0.6;
+        double spare = end - at.y;
+        for (const CardFact& fact : facts)
+            spare -= kGap_pt +
+                     (fact.gives_way ? kFactLine_pt : pdf_.height_of(width, end - at.y, fact.text, kFact));
+        for (const CardFact& fact : facts) {
+            if (at.y + kFactLine_pt > end) return;
+            const double most = fact.gives_way ? kFactLine_pt + std::max(spare, 0.0) : end - at.y;
+            const double height = pdf_.text(at.x, at.y, width, most, fact.text, kFact);
+            if (fact.gives_way) spare -= height - kFactLine_pt;
+            at.y += height + kGap_pt;
+        }
     }
 
     std::string axis_text(Word axis, bool is_known, float angle_deg) const {
@@ -244,7 +267,7 @@ private:
     // place: of its upper left corner, for its width.
     void figure(double distance_m, const glm::dvec2& low, const glm::dvec2& high, const auto& place) {
         if (std::abs(distance_m) < kLeastMeasure_m) return; // on the line
-        const std::string text = style_.length(std::abs(distance_m));
+        const std::string text = style_.length_said(std::abs(distance_m));
         const double width = pdf_.width_of(text, kTiny) + 1.5;
         const glm::dvec2 at = glm::clamp(place(width), low, high - glm::dvec2(width, kFigure_pt));
         pdf_.fill(at.x, at.y, width, kFigure_pt, 1);

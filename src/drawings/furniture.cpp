@@ -13,7 +13,9 @@ constexpr double kScaleLetters_pt = 6, kWays_pt = 7;
 constexpr double kLargeLetters_pt = 7; // on sheets that are read from farther away
 constexpr double kInset_pt = 2;        // from the edge of a drawing
 constexpr int kScaleSteps = 3;
-constexpr std::array kAlongLine{0.0, 1.0, 0.15, 0.3, 0.45, 0.6, 0.75, 0.9}; // places of a name, of its line
+constexpr std::array kAlongLine{0.0, 1.0, 0.15, 0.3,  0.45, 0.6,  0.75,
+                                0.9, 0.1, 0.2,  0.25, 0.5,  0.35, 0.8}; // places of a name, of its line
+constexpr double kBelowGrid_pt = 10; // what stands below the numbers of the grid
 
 } // namespace
 
@@ -42,7 +44,6 @@ SheetPart Drawing::part_at(std::size_t column, std::size_t row) const {
 
 std::optional<Extent2> Drawing::free_of_symbols(std::span<const Extent2> places,
                                                 const SheetPart& part) const {
-    std::optional<Extent2> best;
     for (const Extent2& place : places) {
         const bool is_taken = place.touches(part.scale_bar) ||
                               std::any_of(part.words.begin(), part.words.end(),
@@ -52,17 +53,18 @@ std::optional<Extent2> Drawing::free_of_symbols(std::span<const Extent2> places,
             return Extent2{symbol.box.low + part.offset, symbol.box.high + part.offset}.touches(place);
         });
         if (is_free) return place;
-        if (!best) best = place;
     }
-    return best;
+    return std::nullopt;
 }
 
-void Drawing::furnish(Labels& labels) {
+bool Drawing::furnish(Labels& labels) {
     const auto box_at = [](const glm::dvec2& low, const glm::dvec2& size) {
         return Extent2{low, low + size};
     };
     const double bar_pt = kScaleSteps * scale_step_m() * metre_pt_;
     parts_.clear();
+    wordless_ = 0;
+    bool have_bars = true;
     for (std::size_t row = 0; row < rows_; ++row)
         for (std::size_t column = 0; column < columns_; ++column) {
             SheetPart& part = parts_.emplace_back(part_at(column, row));
@@ -79,13 +81,22 @@ void Drawing::furnish(Labels& labels) {
                 for (const double x : {1.0, 0.0, 0.5})
                     places.push_back(box_at({between(0, x, bar_size), between(1, y, bar_size)}, bar_size));
             // A narrow rest of a drawing would cut it; the sheet beside it has one.
-            if (columns_ == 1 || window.size().x >= bar_size.x + 2 * kInset_pt)
-                part.scale_bar = free_of_symbols(places, part).value_or(places.front());
+            if (columns_ == 1 || window.size().x >= bar_size.x + 2 * kInset_pt) {
+                const auto place =
+                    is_bar_below_
+                        ? box_at({window.high.x - bar_size.x, window.high.y + kBelowGrid_pt}, bar_size)
+                        : free_of_symbols(places, part).value_or(Extent2{});
+                have_bars = have_bars && !place.is_empty();
+                part.scale_bar = place;
+            }
             const auto add = [&](const std::string& text, const PdfText& look, const auto& place_at) {
                 const glm::dvec2 size(pdf_.width_of(text, look) + 2, kLineOfText * look.size_pt);
                 std::vector<Extent2> choice;
                 for (const double share : kAlongLine) choice.push_back(box_at(place_at(share, size), size));
-                if (const auto box = free_of_symbols(choice, part)) part.words.push_back({*box, text, look});
+                if (const auto box = free_of_symbols(choice, part))
+                    part.words.push_back({*box, text, look});
+                else
+                    ++wordless_;
             };
             const PdfText ways{.size_pt = kWays_pt, .is_bold = true, .is_grey = true};
             const auto along_edge = [&](double y) {
@@ -117,6 +128,7 @@ void Drawing::furnish(Labels& labels) {
             for (const EdgeWords& words : part.words)
                 labels.keep_free({words.box.low - part.offset, words.box.high - part.offset});
         }
+    return have_bars;
 }
 
 double Drawing::scale_step_m() const {
@@ -133,7 +145,6 @@ void Drawing::draw_furniture(const SheetPart& part) {
         pdf_.fill(words.box.low.x, words.box.low.y, words.box.size().x, words.box.size().y, 1);
         pdf_.line_of_text(words.box.low.x + 1, words.box.low.y, words.box.size().x, words.text, words.look);
     }
-    if (!part.scale_bar.is_empty()) draw_scale_bar(part.scale_bar);
 }
 
 void Drawing::draw_scale_bar(const Extent2& box) {

@@ -163,9 +163,9 @@ void draw_legend_sheet(PdfWriter& pdf, const PrintStyle& style, const std::vecto
 }
 
 std::string scale_text(int scale) {
-    constexpr std::pair<int, const char*> kFeet[] = {{12, "1\""},    {16, "3/4\""}, {24, "1/2\""},
-                                                     {32, "3/8\""},  {48, "1/4\""}, {96, "1/8\""},
-                                                     {192, "1/16\""}};
+    constexpr std::pair<int, const char*> kFeet[] = {{12, "1\""},   {16, "3/4\""},   {24, "1/2\""},
+                                                     {32, "3/8\""}, {48, "1/4\""},   {64, "3/16\""},
+                                                     {96, "1/8\""}, {128, "3/32\""}, {192, "1/16\""}};
     std::string text = "1:" + std::to_string(scale);
     for (const auto& [of, inches] : kFeet)
         if (of == scale) text += std::string(" (") + inches + " = 1'-0\")";

@@ -197,6 +197,15 @@ inline constexpr Translation kWords[] = {
      "Am Symbol: [Nr. an der Position] (Kreis) Universum.Adresse."},
     {"Symbols stand for what a type does, as large as its body, turned as it hangs.",
      "Symbole zeigen, was ein Typ tut, so groß wie sein Gehäuse und gedreht, wie er hängt."},
+    {"Symbols stand for what a type does, as large as its body but at least %1 points, turned as it hangs.",
+     "Symbole zeigen, was ein Typ tut, so groß wie sein Gehäuse, aber mindestens %1 Punkt, und gedreht, wie "
+     "er hängt."},
+    {"Symbols without such a file stand for what a type does, as large as its body but at least %1 points, "
+     "turned as it hangs.",
+     "Symbole ohne solche Datei zeigen, was ein Typ tut, so groß wie sein Gehäuse, aber mindestens %1 Punkt, "
+     "und gedreht, wie er hängt."},
+    {"HOUSE, UP-STAGE and names of lines that found no room: %1.",
+     "SAAL, HINTERBÜHNE und Namen von Linien, die keinen Platz fanden: %1."},
     {"Symbols are those of the fixtures' own files (GDTF) where they have one.",
      "Symbole sind die der Gerätedateien (GDTF), wo sie eines haben."},
     {"Symbols without such a file stand for what a type does, as large as its body, turned as it hangs.",
@@ -307,6 +316,15 @@ inline constexpr Translation kWords[] = {
     {"the show as it begins", "die Show, wie sie beginnt"},
     {"the show has neither cues nor looks: these are the moments in which its recording rests",
      "die Show hat weder Cues noch Looks: dies sind die Momente, in denen ihre Aufzeichnung ruht"},
+    {"1 fixture has no file that could be read: its light is in no picture",
+     "1 Gerät hat keine lesbare Datei: sein Licht ist in keinem Bild"},
+    {"of %1 fixtures address, place or mode is not known: what they do in the pictures is assumed",
+     "von %1 Geräten sind Adresse, Platz oder Modus nicht bekannt: was sie in den Bildern tun, ist "
+     "angenommen"},
+    {"of 1 fixture address, place or mode is not known: what it does in the pictures is assumed",
+     "von 1 Gerät sind Adresse, Platz oder Modus nicht bekannt: was es in den Bildern tut, ist angenommen"},
+    {"the pictures differ in size: %1 x %2 and %3 x %4 pixels",
+     "die Bilder sind verschieden groß: %1 x %2 und %3 x %4 Pixel"},
     {"%1 fixtures have no file that could be read: their light is in no picture",
      "von %1 Geräten war keine Datei lesbar: ihr Licht ist auf keinem Bild"},
     {"the show has no fixtures", "die Show hat keine Geräte"},

@@ -462,6 +462,44 @@ TEST(Sheets, give_a_long_type_two_lines) {
     EXPECT_LT(draw_column(pdf, room_on(pdf), {}, {}, legend, {}), of_short);
 }
 
+// 2,000 lamps over all of the sheet, to its corners but for the usual margin, which at 1:500 is no wider than
+// a line of words.
+TEST(Sheets, that_are_full_have_scale_bar_and_words_beside_all_symbols) {
+    Show show = show_of(2000);
+    for (std::size_t i = 0; i < 2000; ++i)
+        show.fixtures[i].position_m = {static_cast<float>(i % 50) * 3, static_cast<float>(i / 50) * 3, 6};
+    const Stage stage;
+    const LaidOut plan(show, stage, from_above(), true);
+    ASSERT_EQ(plan.drawing.symbols().size(), 2000u);
+    for (const SheetPart& sheet : plan.drawing.sheets()) {
+        ASSERT_FALSE(sheet.scale_bar.is_empty());
+        for (const DrawnSymbol& symbol : plan.drawing.symbols()) {
+            const Extent2 box{symbol.box.low + sheet.offset, symbol.box.high + sheet.offset};
+            EXPECT_TRUE(sheet.window.holds(box));
+            EXPECT_FALSE(box.touches(sheet.scale_bar));
+            for (const EdgeWords& words : sheet.words) EXPECT_FALSE(box.touches(words.box)) << words.text;
+        }
+        EXPECT_FALSE(sheet.window.touches(sheet.scale_bar));
+        EXPECT_LT(sheet.scale_bar.high.y, plan.pdf.height_pt() - 10 * kPointsOfMm) << "within the frame";
+    }
+}
+
+TEST(Sheets, say_which_size_symbols_have) {
+    const Stage stage;
+    for (const float far_m : {1.0f, 150.0f}) {
+        Show show = show_of(2);
+        show.fixtures[1].position_m.x = far_m;
+        const LaidOut plan(show, stage, from_above(), true);
+        const std::vector<std::string>& said = plan.drawing.remarks();
+        const auto has = [&](const char* words) {
+            return std::any_of(said.begin(), said.end(),
+                               [&](const std::string& one) { return one.find(words) != std::string::npos; });
+        };
+        EXPECT_EQ(has("as large as its body, turned"), far_m == 1.0f);
+        EXPECT_EQ(has("as large as its body but at least 3 points"), far_m > 1.0f);
+    }
+}
+
 TEST(Sheets, keep_room_for_all_notes) {
     PdfWriter pdf(PaperSize::a4, true, "Sheet");
     const std::vector<LegendLine> legend(100);
@@ -505,6 +543,8 @@ TEST(Drawings, of_bad_input_are_made) {
 TEST(Scale, is_one_that_people_use) {
     EXPECT_EQ(scale_text(50), "1:50");
     EXPECT_EQ(scale_text(48), "1:48 (1/4\" = 1'-0\")");
+    EXPECT_EQ(scale_text(64), "1:64 (3/16\" = 1'-0\")");
+    EXPECT_EQ(scale_text(128), "1:128 (3/32\" = 1'-0\")");
     EXPECT_DOUBLE_EQ(points_of_metre(100), 72 / 2.54);
     EXPECT_EQ(fitting_scale({10, 1}, {100 * kPointsOfMm, 100 * kPointsOfMm}, Units::metric), 100);
     EXPECT_FALSE(fitting_scale({1e9, 1}, {100, 100}, Units::metric));

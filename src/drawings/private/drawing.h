@@ -75,9 +75,13 @@ public:
     // After lay_out.
     const std::vector<DrawnLabel>& labels() const { return labels_; }
     const std::vector<std::string>& remarks() const { return notes_; }
+    const std::vector<SheetPart>& sheets() const { return parts_; }
+    const std::vector<DrawnSymbol>& symbols() const { return symbols_; }
 
 private:
     void choose_frame(const Outlines& rough);
+    // Scale, sheets, symbols. Error: too many.
+    Result<void> spread(int& scale);
     glm::dvec2 paper_of(const glm::dvec2& point_m) const {
         const glm::dvec2 from = (point_m - frame_.low) * metre_pt_;
         return {from.x, (frame_.size().y * metre_pt_) - from.y};
@@ -94,9 +98,10 @@ private:
     bool put(Labels& labels, DrawnLabel label, double widest_pt, std::vector<DrawnLabel>& placed);
     std::vector<std::string> notes(std::size_t unlabelled) const;
     SheetPart part_at(std::size_t column, std::size_t row) const;
-    // Puts scale bars and edge words where they cover no symbol, and keeps labels away from them.
-    void furnish(Labels& labels);
-    // The first that holds nothing; else the first that covers symbols alone; nothing: there is none.
+    // Puts scale bars and edge words where they cover no symbol, and keeps labels away from them. False: a
+    // sheet has no such place for its bar.
+    bool furnish(Labels& labels);
+    // The first that holds nothing.
     std::optional<Extent2> free_of_symbols(std::span<const Extent2> places, const SheetPart& part) const;
     std::vector<Extent2> match_words(const Extent2& window, std::size_t column, std::size_t row) const;
     double scale_step_m() const;
@@ -130,6 +135,9 @@ private:
     std::vector<DrawnLabel> labels_;
     std::vector<std::string> notes_;
     std::size_t unnamed_bars_ = 0; // and hanging positions
+    std::size_t wordless_ = 0;     // HOUSE, UP-STAGE and names of lines without a place
+    bool is_bar_below_ = false;    // the scale bar stands below the drawing, which leaves room for it
+    bool is_any_enlarged_ = false; // a symbol would be a dot
 };
 
 } // namespace ghost::scene

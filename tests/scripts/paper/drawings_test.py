@@ -13,6 +13,7 @@ import sys
 import tempfile
 import time
 import unittest
+import zipfile
 import zlib
 
 SOURCE, PROGRAM = pathlib.Path(sys.argv[1]).resolve(), pathlib.Path(sys.argv[2]).resolve() / "ghostlight"
@@ -254,6 +255,22 @@ class Drawings(unittest.TestCase):
             if units == "metric":
                 self.assertEqual(sum(word[0] == "0.3" for word in figures), 3, "short measures have their figures")
                 self.assertEqual(text_of(out / "focus.pdf").count("a square: 1 m"), len(places))
+
+    def test_a_long_name_pushes_no_figure_off_a_focus_chart(self):
+        plot = WORK / "long.mvr"
+        lamp = ('<Fixture uuid="00000000-0000-0000-0000-000000000001" name="Spot"><Matrix>{1,0,0}{0,1,0}{0,0,1}{1000,2000,6000}</Matrix>'
+                f'<GDTFSpec>{SPOT.name}</GDTFSpec><GDTFMode>Standard 22 channels</GDTFMode><FixtureID>1</FixtureID><UnitNumber>7</UnitNumber>'
+                '<Position>00000000-0000-0000-0000-00000000000a</Position><Addresses><Address break="0">1</Address></Addresses></Fixture>')
+        with zipfile.ZipFile(plot, "w") as archive:
+            archive.writestr("GeneralSceneDescription.xml", '<?xml version="1.0"?><GeneralSceneDescription verMajor="1" verMinor="6"><Scene><AUXData>'
+                             f'<Position uuid="00000000-0000-0000-0000-00000000000a" name="{"W" * 3000}"/></AUXData><Layers>'
+                             f'<Layer name="L" uuid="1"><ChildList>{lamp}</ChildList></Layer></Layers></Scene></GeneralSceneDescription>')
+            archive.write(SPOT, SPOT.name)
+        code, text = run("paper", plot, "-o", WORK / "long_paper", "--focus")
+        self.assertEqual(code, 0, text)
+        said = " ".join(text_of(WORK / "long_paper/focus.pdf").split())
+        for part in ("[7] W", "place: 1 m right", "throw", "angle", "pan", "tilt", "light: dark"):
+            self.assertIn(part, said)
 
     def test_focus_charts_are_where_movers_are(self):
         folder = show("lift", fixture("Spot 1", (0, 3, 5.8), 1) + "[[mover]]\nname = 'Lift'\nkind = 'linear'\ndirection = [0.0, 0.0, 1.0]\n"
