@@ -6,10 +6,11 @@
 #include "show/show.h"
 
 #include <algorithm>
+#include <set>
 
 namespace ghost::scene {
 
-Book book_of(const Show& show, const PrintStyle& style) {
+Book book_of(const Show& show, const PrintStyle& style, bool is_for_client) {
     Book book;
     book.show = show.name.empty() ? show.folder.filename().string() : show.name;
     std::size_t unread = 0;
@@ -38,9 +39,25 @@ Book book_of(const Show& show, const PrintStyle& style) {
     }
     if (unread > 0)
         book.unknown.push_back(
-            style("%1 fixtures have no file that could be read: their light is in no picture",
-                  {std::to_string(unread)}));
-    if (const auto addressless = addressless_of(show); !addressless.empty())
+            unread == 1 ? style("1 fixture has no file that could be read: its light is in no picture")
+                        : style("%1 fixtures have no file that could be read: their light is in no picture",
+                                {std::to_string(unread)}));
+    if (show.fixtures.empty()) book.unknown.push_back(style("the show has no fixtures"));
+    const std::vector<std::string> addressless = addressless_of(show);
+    if (is_for_client) {
+        std::set<std::string> assumed(addressless.begin(), addressless.end());
+        assumed.insert(placeless.begin(), placeless.end());
+        assumed.insert(modeless.begin(), modeless.end());
+        if (assumed.size() == 1)
+            book.unknown.push_back(style("of 1 fixture address, place or mode is not known: what it does in "
+                                         "the pictures is assumed"));
+        if (assumed.size() > 1)
+            book.unknown.push_back(style("of %1 fixtures address, place or mode is not known: what they do "
+                                         "in the pictures is assumed",
+                                         {std::to_string(assumed.size())}));
+        return book;
+    }
+    if (!addressless.empty())
         book.unknown.push_back(
             style("the address of %1 cannot be read: all their channels have their defaults",
                   {names_text(addressless, style)}));
@@ -52,7 +69,6 @@ Book book_of(const Show& show, const PrintStyle& style) {
         book.unknown.push_back(style(
             "nobody names a mode that the type has of %1: what they do is read as in another one of its",
             {names_text(modeless, style)}));
-    if (show.fixtures.empty()) book.unknown.push_back(style("the show has no fixtures"));
     return book;
 }
 

@@ -68,7 +68,7 @@ struct Book {
     bool is_for_client = false;       // fixtures, changes and what entries do not know are left out
 };
 
-// Name, fixtures, and what the show does not say about them.
-Book book_of(const Show& show, const PrintStyle& style = {});
+// Name, fixtures, and what the show does not say about them; for a client these are counted, not named.
+Book book_of(const Show& show, const PrintStyle& style = {}, bool is_for_client = false);
 
 } // namespace ghost::scene

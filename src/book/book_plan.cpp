@@ -36,6 +36,7 @@ void plan_cues(const Show& show, const std::vector<StoredLook>& looks, const Pri
         entry.fade_s = cue.fade_s;
         if (!cue.look.empty()) {
             look = index_of(looks, cue.look);
+            planned.is_other = !look;
             if (!look) entry.unknown.push_back(style("the show has no look '%1'", {cue.look}));
             if (look && !entry.fade_s) entry.fade_s = looks[*look].fade_s;
         }
@@ -51,6 +52,7 @@ void plan_cues(const Show& show, const std::vector<StoredLook>& looks, const Pri
         entry.at_s = at_s;
         if (!show.recording.empty() && !at_s)
             entry.unknown.push_back(style("no cue so far says a second of the recording: nothing is sent"));
+        planned.is_other = planned.is_other || (show.recording.empty() && cue.at_s);
         if (show.recording.empty() && cue.at_s)
             entry.unknown.push_back(style("the show has no recording: what it does at %1 s is not known",
                                           {style.number(*cue.at_s, 2)}));

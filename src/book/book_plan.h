@@ -23,6 +23,7 @@ struct PlannedEntry {
     BookEntry entry;                 // without pictures and changes
     std::optional<std::size_t> look; // of the looks
     std::string camera;              // "": the first one
+    bool is_other = false;           // its picture is of something else: what the cue names is not there
 };
 
 struct BookPlan {

@@ -14,6 +14,7 @@
 #include "disk/files.h"
 #include "disk/whole_folder.h"
 
+#include "base/interrupt.h"
 #include "base/log.h"
 
 #include <filesystem>
@@ -51,6 +52,7 @@ Result<void> check_usage(BookArguments& arguments) {
 }
 
 Result<void> make_book(BookArguments& arguments) {
+    catch_interrupts();
     TRY(WholeFolder folder, WholeFolder::open(arguments.out, "cue book"));
     TRY_VOID(folder.make_folder("pictures"));
     std::optional<scene::Book> old;

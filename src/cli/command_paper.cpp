@@ -140,8 +140,8 @@ Result<void> draw_focus(const PaperArguments& arguments, const scene::Show& show
 }
 
 Result<void> make_paper(const PaperArguments& arguments) {
-    TRY(WholeFolder folder, WholeFolder::open(arguments.out, "paperwork"));
     catch_interrupts();
+    TRY(WholeFolder folder, WholeFolder::open(arguments.out, "paperwork"));
     Report report;
     const bool needs_stage = arguments.plan || arguments.focus;
     TRY(scene::Show show, open_show(arguments.show, needs_stage, arguments.quiet, report));

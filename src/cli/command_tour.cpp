@@ -13,9 +13,13 @@
 #include "cli/render/tour_film.h"
 #include "disk/files.h"
 #include "disk/whole_folder.h"
+#include "dmx/record/player.h"
+#include "dmx/record/recording_tasks.h"
 #include "live/session/session.h"
+#include "print/quantities.h"
 #include "show/show.h"
 
+#include "base/interrupt.h"
 #include "base/log.h"
 
 #include <filesystem>
@@ -50,27 +54,40 @@ Result<void> check_usage(TourArguments& arguments) {
         return Error{"a film needs even numbers of pixels", "--size"};
     if (arguments.cues) arguments.book.kind = scene::BookKind::cues;
     if (arguments.looks) arguments.book.kind = scene::BookKind::looks;
-    arguments.book.from_all = true;
+    arguments.book.is_for_client = true;
     arguments.page.style = arguments.book.style = arguments.print.style();
     return {};
 }
 
+// Soon, before other long work.
+Result<void> check_film(const TourArguments& arguments) {
+    Report report; // is said when the pictures are drawn
+    const bool quiet = arguments.book.session.quiet;
+    TRY(const scene::Show show, open_show(arguments.book.session.show, false, quiet, report));
+    if (show.recording.empty()) return Error{"has no recording for --film", show.file.string()};
+    TRY(dmx::Recording recording, dmx::open_recording(show.recording, {}, quiet));
+    const double end_s = dmx::Player(std::move(recording)).duration_s();
+    if (arguments.film.from_s >= end_s)
+        return Error{"the recording ends at " + scene::number_text(static_cast<float>(end_s), 2) +
+                         " s, --film-from " +
+                         scene::number_text(static_cast<float>(arguments.film.from_s), 2) + " is behind it",
+                     show.recording.string()};
+    return {};
+}
+
 Result<void> make_tour(TourArguments& arguments) {
+    catch_interrupts();
     TRY(WholeFolder folder, WholeFolder::open(arguments.out, "tour"));
     TRY_VOID(folder.make_folder("pictures"));
-    if (arguments.film.length_s > 0) {
-        Report report; // is said when the pictures are drawn
-        TRY(const scene::Show show,
-            open_show(arguments.book.session.show, false, arguments.book.session.quiet, report));
-        if (show.recording.empty()) return Error{"has no recording for --film", show.file.string()};
-    }
+    if (arguments.film.length_s > 0) TRY_VOID(check_film(arguments));
     std::optional<scene::Book> old;
     if (!arguments.against.empty()) {
         TRY(old, old_book(arguments.against));
     }
     // Under another exposure every picture differs.
     if (old && !arguments.book.session.ev100) arguments.book.session.ev100 = old->ev100;
-    TRY(const DrawnBook drawn, draw_book(arguments.book, folder.written_to(), nullptr));
+    TRY(DrawnBook drawn, draw_book(arguments.book, folder.written_to(), nullptr));
+    drawn.book = scene::for_client(std::move(drawn.book), arguments.notes);
     std::optional<scene::BookDifference> difference;
     if (!arguments.against.empty()) {
         TRY(difference, compare_books(arguments.book, drawn, arguments.against, old, folder));
@@ -84,10 +101,10 @@ Result<void> make_tour(TourArguments& arguments) {
         TRY_VOID(draw_tour_film(session, arguments.film, folder.written_to() / kFilmFile));
         arguments.page.film = kFilmFile;
     }
-    const scene::Book shown = scene::for_client(drawn.book, arguments.notes);
-    TRY_VOID(write_file_atomic(folder.written_to() / kTourFile, scene::text_of(shown)));
-    TRY_VOID(write_file_atomic(folder.written_to() / "index.html",
-                               scene::tour_html(shown, difference ? &*difference : nullptr, arguments.page)));
+    TRY_VOID(write_file_atomic(folder.written_to() / kTourFile, scene::text_of(drawn.book)));
+    TRY_VOID(
+        write_file_atomic(folder.written_to() / "index.html",
+                          scene::tour_html(drawn.book, difference ? &*difference : nullptr, arguments.page)));
     TRY_VOID(folder.commit());
     log_info("wrote " + arguments.out + ": " + std::to_string(drawn.book.entries.size()) + " looks from " +
              std::to_string(drawn.frame.cameras.size()) + " cameras; open index.html in it");

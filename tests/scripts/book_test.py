@@ -205,6 +205,27 @@ class Book(unittest.TestCase):
         for part in ("Spot 1 moved by 1 m", "Spot 20 is new", "Spot 2 is gone", "Spot 3 is patched at 1.401, was at 1.45"):
             self.assertIn(part, page)
 
+    def test_says_in_its_language_why_pictures_are_not_compared(self):
+        out = WORK / "other_size"
+        code, text = run("book", self.show, "-o", out, "--against", WORK / "book", "--language", "de", "--size", "64x36")
+        self.assertEqual(code, 0, text)
+        reasons = {picture["why_not"] for picture in json.loads((out / "difference.json").read_text(encoding="utf-8"))["pictures"]}
+        self.assertEqual(reasons, {"die Bilder sind verschieden groß: 64 x 36 und 96 x 54 Pixel"})
+
+    def test_leaves_what_comes_into_its_folder_meanwhile(self):
+        out = WORK / "meanwhile"
+        book = subprocess.Popen([PROGRAM, "book", self.show, "-o", out, *SIZE], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+        while not list(WORK.glob(".meanwhile.part*")):
+            self.assertIsNone(book.poll())
+            time.sleep(0.01)
+        out.mkdir()
+        (out / "thesis.txt").write_text("mine", encoding="utf-8")
+        text = book.communicate(timeout=600)[0]
+        self.assertEqual(book.returncode, 1, text)
+        self.assertIn("thesis.txt", text)
+        self.assertEqual(contents(out), {"thesis.txt": b"mine"})
+        self.assertEqual(list(WORK.glob(".meanwhile.part*")), [])
+
     def test_a_show_without_cues_has_a_book(self):
         bare = show("bare", cues="")
         text = (bare / "show.toml").read_text(encoding="utf-8")

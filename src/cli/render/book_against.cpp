@@ -42,6 +42,12 @@ Result<ComparedPicture> compare_picture(const fs::path& old_root, const std::str
         return compared;
     }
     TRY(const image::Image8 now, image::read_ldr(folder.written_to() / picture.file));
+    if (old->width != now.width || old->height != now.height) {
+        compared.why_not = style("the pictures differ in size: %1 x %2 and %3 x %4 pixels",
+                                 {std::to_string(now.width), std::to_string(now.height),
+                                  std::to_string(old->width), std::to_string(old->height)});
+        return compared;
+    }
     image::Image8 map;
     const Result<scene::PictureDifference> difference = scene::compare_pictures(*old, now, map);
     if (!difference.ok()) {

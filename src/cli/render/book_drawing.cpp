@@ -44,6 +44,7 @@ private:
     Result<void> plan();
     Result<std::vector<scene::Mark>> read_marks();
     Result<void> choose_entries();
+    Result<void> leave_out_others();
     Result<std::vector<double>> find_rests();
     Result<BookFrame> choose_frame(const BookFrame* given);
     Result<float> metered(const scene::Camera& camera);
@@ -100,7 +101,27 @@ Result<void> BookDrawing::plan() {
     }
     TRY(const std::vector<scene::Mark> marks, read_marks());
     TRY(plan_, scene::plan_book(show, looks_, options_.kind, found_s, options_.style, marks));
-    return choose_entries();
+    for (scene::PlannedEntry& planned : plan_.entries) {
+        scene::BookEntry& entry = planned.entry;
+        if (!player_ || !entry.at_s || *entry.at_s <= player_->duration_s()) continue;
+        planned.is_other = true;
+        entry.unknown.push_back(options_.style("the recording ends before it: this is its last look"));
+    }
+    TRY_VOID(choose_entries());
+    return options_.is_for_client ? leave_out_others() : Result<void>();
+}
+
+Result<void> BookDrawing::leave_out_others() {
+    const std::string file = session_->show->file.string();
+    for (const scene::PlannedEntry& planned : plan_.entries) {
+        if (!planned.is_other) continue;
+        std::string why;
+        for (const std::string& sentence : planned.entry.unknown) why += (why.empty() ? "" : "; ") + sentence;
+        log_warning(file + ": '" + planned.entry.name + "' is left out: " + why);
+    }
+    std::erase_if(plan_.entries, [](const scene::PlannedEntry& planned) { return planned.is_other; });
+    if (plan_.entries.empty()) return Error{"has none of its " + plan_.kind + " to show", file};
+    return {};
 }
 
 Result<std::vector<scene::Mark>> BookDrawing::read_marks() {
@@ -150,7 +171,7 @@ Result<std::vector<double>> BookDrawing::find_rests() {
 
 std::vector<scene::Camera> BookDrawing::cameras_of(const scene::PlannedEntry& planned,
                                                    const BookFrame& frame) const {
-    if (!options_.views.empty() || options_.from_all) return frame.cameras;
+    if (!options_.views.empty() || options_.is_for_client) return frame.cameras;
     const auto named = std::find_if(frame.cameras.begin(), frame.cameras.end(),
                                     [&](const scene::Camera& one) { return one.name == planned.camera; });
     return {named == frame.cameras.end() ? frame.cameras.front() : *named};
@@ -223,6 +244,7 @@ Result<float> BookDrawing::metered(const scene::Camera& camera) {
     go_to(brightest);
     session_->look_from(camera);
     session_->draw();
+    if (interrupted()) return interruption();
     return session_->relighter->ev100_used();
 }
 
@@ -243,7 +265,7 @@ Result<DrawnBook> BookDrawing::draw(const fs::path& folder, const BookFrame* giv
     scene::Book& book = drawn.book;
     TRY(drawn.frame, choose_frame(given));
     session_->options.ev100 = drawn.frame.ev100;
-    book = scene::book_of(*session_->show, options_.style);
+    book = scene::book_of(*session_->show, options_.style, options_.is_for_client);
     book.kind = plan_.kind;
     book.width = options_.width;
     book.height = options_.height;
@@ -273,13 +295,12 @@ Result<DrawnBook> BookDrawing::draw(const fs::path& folder, const BookFrame* giv
         before = std::move(now);
         movers_before = std::move(movers_now);
         scene_before = look_.scene;
-        if (player_ && planned.entry.at_s && *planned.entry.at_s > player_->duration_s())
-            entry.unknown.push_back(options_.style("the recording ends before it: this is its last look"));
         const std::vector<scene::Camera> cameras = cameras_of(planned, drawn.frame);
         for (std::size_t k = 0; k < cameras.size(); ++k) {
             if (interrupted()) return interruption();
             session_->look_from(cameras[k]);
             session_->draw();
+            if (interrupted()) return interruption();
             char name[64];
             std::snprintf(name, sizeof name, "pictures/%04zu-%zu.png", i + 1, k + 1);
             image::Image8 picture = session_->relighter->picture();

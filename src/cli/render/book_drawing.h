@@ -25,7 +25,9 @@ struct BookOptions {
     double mark_fps = 0;            // of time code in it; 0: nobody says it
     std::vector<std::string> views; // empty: where the cues have put the picture
     scene::PrintStyle style;
-    bool from_all = false;         // without views: from all cameras
+    // Of a tour: without views from all cameras; entries whose picture would be of something else are left
+    // out, which is said; fixtures are counted, not named.
+    bool is_for_client = false;
     std::vector<std::string> only; // names of entries; empty: all
     int width = 640, height = 360;
 };

@@ -4,6 +4,7 @@
 Usage: tour_test.py SOURCE_FOLDER BUILD_FOLDER. Works on copies of the demo show."""
 import html.parser
 import pathlib
+import re
 import subprocess
 import sys
 import tempfile
@@ -86,6 +87,43 @@ class Tour(unittest.TestCase):
         self.assertIn("the older one is a tour, which names no fixtures", page)
         self.assertNotIn("is new", page)
 
+    def test_shows_nothing_under_the_name_of_what_is_not_there(self):
+        folder = show("gone")
+        cues = ('[[cue]]\nname = "Opening"\nat_s = 20\n[[cue]]\nname = "Gone look"\nlook = "Nicht da"\n[[cue]]\nname = "Dark one"\nlook = "Dark"\n'
+                '[[cue]]\nname = "Behind the end"\nat_s = 5000\n')
+        (folder / "show.toml").write_text((folder / "show.toml").read_text(encoding="utf-8") + cues, encoding="utf-8")
+        code, text = run("tour", folder, "-o", WORK / "gone_tour", "--cues", "--view", "house", *SIZE)
+        self.assertEqual(code, 0, text)
+        self.assertIn("'Gone look' is left out: the show has no look 'Nicht da'", text)
+        self.assertIn("'Behind the end' is left out", text)
+        for file in ("index.html", "book.json"):
+            content = (WORK / "gone_tour" / file).read_text(encoding="utf-8")
+            self.assertNotIn("Gone look", content, file)
+            self.assertNotIn("Behind the end", content, file)
+            self.assertIn("Dark one", content, file)
+        code, text = run("tour", folder, "-o", WORK / "none_tour", "--only", "Gone look", *SIZE)
+        self.assertEqual(code, 1, text)
+        self.assertFalse((WORK / "none_tour").exists())
+        # A cue book shows it, and says what it is of.
+        code, text = run("book", folder, "-o", WORK / "gone_book", "--view", "house", *SIZE)
+        self.assertEqual(code, 0, text)
+        self.assertIn("the show has no look 'Nicht da'", Page(WORK / "gone_book/index.html").text)
+
+    def test_names_no_lamp_of_which_something_is_not_known(self):
+        folder = show("bad")
+        text = (folder / "show.toml").read_text(encoding="utf-8")
+        bad = re.sub(r'(name = "Spot 1"\n(?:.*\n)*?)address = \d+', r"\1address = 'none'", text, count=1)
+        self.assertNotEqual(bad, text)
+        (folder / "show.toml").write_text(bad, encoding="utf-8")
+        for name, is_client in (("tour", True), ("book", False)):
+            out = WORK / f"bad_{name}"
+            code, said = run(name, folder, "-o", out, "--looks", "--view", "house", *SIZE)
+            self.assertEqual(code, 0, said)
+            for file in ("index.html", "book.json"):
+                content = (out / file).read_text(encoding="utf-8")
+                self.assertEqual("Spot 1" in content, not is_client, file)
+                self.assertEqual("1 fixture address, place or mode is not known" in content, is_client, file)
+
     def test_has_a_film_that_browsers_play(self):
         film = (WORK / "tour/film.mp4").read_bytes()
         self.assertEqual(film[4:8], b"ftyp")
@@ -100,11 +138,12 @@ class Tour(unittest.TestCase):
                          ["pictures/0001-1.png", "old/0001-1.png"])
         for part in ("Stimmungen", "links: vorher, rechts: jetzt", "Blue <b> von house aus"):
             self.assertIn(part, page.text)
+        self.assertNotIn("(tour)", page.text, "a client is not told how our folders are called")
         self.assertTrue(all((WORK / "tour_2" / file).is_file() for file in page.files))
 
     def test_bad_input_is_said_and_nothing_is_written(self):
         for arguments, code, part in ((["--only", "nowhere"], 1, "Blue <b>"), (["--film", "0"], 2, "--film"),
-                                      (["--film-from", "3"], 2, "--film"), (["--film", "1", "--size", "33x21"], 2, "even")):
+                                      (["--film-from", "3"], 2, "--film"), (["--film", "1", "--film-from", "5000"], 1, "the recording ends at"), (["--film", "1", "--size", "33x21"], 2, "even")):
             got, text = run("tour", self.show, "-o", WORK / "bad", "--looks", *SIZE[:0 if "--size" in arguments else 2], *arguments)
             self.assertEqual(got, code, text)
             self.assertIn(part, text)
