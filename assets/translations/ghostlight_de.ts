@@ -2756,7 +2756,7 @@
     </message>
     <message>
         <source>an older show, plot or book</source>
-        <translation>ältere Show, älterer Plan oder älteres Cue-Buch</translation>
+        <translation>ältere Show, Plan, Buch</translation>
     </message>
     <message>
         <source>Pictures</source>
@@ -2788,7 +2788,7 @@
     </message>
     <message>
         <source>Four on a page, with what changes</source>
-        <translation>Vier auf einer Seite, mit dem, was sich ändert</translation>
+        <translation>Vier je Seite, mit Änderungen</translation>
     </message>
     <message>
         <source>Marks in a CSV file</source>
@@ -2847,7 +2847,51 @@
     </message>
     <message>
         <source>Twelve on a page</source>
-        <translation>Zwölf auf einer Seite</translation>
+        <translation>Zwölf je Seite</translation>
+    </message>
+    <message>
+        <source>Where the section is cut</source>
+        <translation>Wo der Schnitt liegt</translation>
+    </message>
+    <message>
+        <source>x in metres; empty: not cut</source>
+        <translation>x in m; leer: kein Schnitt</translation>
+    </message>
+    <message>
+        <source>Date in the title block</source>
+        <translation>Datum im Schriftfeld</translation>
+    </message>
+    <message>
+        <source>printed as it is</source>
+        <translation>so gedruckt</translation>
+    </message>
+    <message>
+        <source>Moment of the focus charts</source>
+        <translation>Moment des Einleuchtplans</translation>
+    </message>
+    <message>
+        <source>Section</source>
+        <translation>Schnitt</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>Datum</translation>
+    </message>
+    <message>
+        <source>Moment</source>
+        <translation>Moment</translation>
+    </message>
+    <message>
+        <source>Nothing is sent</source>
+        <translation>Nichts wird gesendet</translation>
+    </message>
+    <message>
+        <source>Cue %1</source>
+        <translation>Cue %1</translation>
+    </message>
+    <message>
+        <source>Look %1</source>
+        <translation>Look %1</translation>
     </message>
 </context>
 <context>
@@ -6551,6 +6595,34 @@ Bitte den Namen des Ordners prüfen.</translation>
     <message>
         <source>they are told to reset themselves</source>
         <translation>sie sollen sich zurücksetzen (Reset)</translation>
+    </message>
+    <message>
+        <source>[[cue]] names look &apos;%1&apos;, which the show does not have, did you mean &apos;%2&apos;?</source>
+        <translation>[[cue]] nennt den Look &apos;%1&apos;, den die Show nicht hat; gemeint ist &apos;%2&apos;?</translation>
+    </message>
+    <message>
+        <source>[[cue]] names look &apos;%1&apos;, which the show does not have</source>
+        <translation>[[cue]] nennt den Look &apos;%1&apos;, den die Show nicht hat</translation>
+    </message>
+    <message>
+        <source>[[cue]] names camera &apos;%1&apos;, which the show does not have, did you mean &apos;%2&apos;?</source>
+        <translation>[[cue]] nennt die Kamera &apos;%1&apos;, die die Show nicht hat; gemeint ist &apos;%2&apos;?</translation>
+    </message>
+    <message>
+        <source>[[cue]] names camera &apos;%1&apos;, which the show does not have</source>
+        <translation>[[cue]] nennt die Kamera &apos;%1&apos;, die die Show nicht hat</translation>
+    </message>
+    <message>
+        <source>is there with &apos;%1&apos; and is no cue book that Ghostlight made (which .ghostlight in it would tell): it is not replaced</source>
+        <translation>ist da mit &apos;%1&apos; und ist kein Cue-Buch von Ghostlight (was .ghostlight darin sagen würde): es wird nicht ersetzt</translation>
+    </message>
+    <message>
+        <source>is there with &apos;%1&apos; and is no paperwork that Ghostlight made (which .ghostlight in it would tell): it is not replaced</source>
+        <translation>ist da mit &apos;%1&apos; und sind keine Unterlagen von Ghostlight (was .ghostlight darin sagen würde): sie werden nicht ersetzt</translation>
+    </message>
+    <message>
+        <source>has &apos;%1&apos;, which Ghostlight did not make: it is not replaced before that is elsewhere</source>
+        <translation>hat &apos;%1&apos;, was nicht von Ghostlight ist: es wird nicht ersetzt, bevor das woanders ist</translation>
     </message>
 </context>
 <context>

@@ -852,6 +852,21 @@ constexpr const char* kSentences[] = {
     QT_TRANSLATE_NOOP("Sentence", "a recording runs; 'record off' ends it"),
     QT_TRANSLATE_NOOP("Sentence", "nothing was recorded in this window"),
     QT_TRANSLATE_NOOP("Sentence", "it must end after it begins"),
+    QT_TRANSLATE_NOOP("Sentence",
+                      "[[cue]] names look '%1', which the show does not have, did you mean '%2'?"),
+    QT_TRANSLATE_NOOP("Sentence", "[[cue]] names look '%1', which the show does not have"),
+    QT_TRANSLATE_NOOP("Sentence",
+                      "[[cue]] names camera '%1', which the show does not have, did you mean '%2'?"),
+    QT_TRANSLATE_NOOP("Sentence", "[[cue]] names camera '%1', which the show does not have"),
+    QT_TRANSLATE_NOOP("Sentence",
+                      "is there with '%1' and is no cue book that Ghostlight made (which .ghostlight in it "
+                      "would tell): it is not replaced"),
+    QT_TRANSLATE_NOOP("Sentence",
+                      "is there with '%1' and is no paperwork that Ghostlight made (which .ghostlight in it "
+                      "would tell): it is not replaced"),
+    QT_TRANSLATE_NOOP("Sentence",
+                      "has '%1', which Ghostlight did not make: it is not replaced before that is "
+                      "elsewhere"),
     QT_TRANSLATE_NOOP("Sentence", "the show has no mover '%1', did you mean '%2'?"),
     QT_TRANSLATE_NOOP("Sentence", "the show has no mover '%1'"),
     QT_TRANSLATE_NOOP("Sentence", "mover '%1' has %2 axes, expected a number for each, or off"),

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/model/jobs.h"
 
+#include "disk/whole_folder.h"
+
 #include <QRegularExpression>
 #include <QStandardPaths>
 
@@ -17,6 +19,12 @@ constexpr std::size_t kMostKept = 50; // that are over
 constexpr qsizetype kLongestLine = 4096;
 constexpr qsizetype kMostRemarks = 100;
 const char* const kProgressEvery_s = "0.25";
+
+// What it was killed out of, which it could not take away itself.
+void tidy_after(const QStringList& arguments) {
+    const qsizetype at = arguments.indexOf("-o");
+    if (at >= 0 && at + 1 < arguments.size()) WholeFolder::remove_leftovers(arguments[at + 1].toStdString());
+}
 
 } // namespace
 
@@ -64,6 +72,7 @@ Jobs::~Jobs() {
         process_->kill();
         process_->waitForFinished(kKilled_ms);
     }
+    if (const Job* job = running()) tidy_after(job->arguments);
 }
 
 bool Jobs::is_busy() const {
@@ -165,6 +174,7 @@ void Jobs::end(Job::State state) {
     if (job->state == Job::State::done) job->share = 1;
     process_.reset();
     unread_.clear();
+    if (job->state != Job::State::done) tidy_after(job->arguments);
     const Job copy = *job;
     begin_next();
     Q_EMIT ended(copy);

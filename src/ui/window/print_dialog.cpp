@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/window/private/print_dialog.h"
 
+#include "show/looks.h"
 #include "show/show.h"
 #include "ui/language/language.h"
 
 #include <QDesktopServices>
 #include <QDir>
+#include <QDoubleValidator>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QFontMetrics>
@@ -22,6 +24,7 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <array>
 
 namespace ghost::ui {
 namespace {
@@ -30,6 +33,13 @@ constexpr int kMostPictures = 24, kMostChangesShown = 2;
 constexpr int kLeastLetters = 16;
 constexpr qsizetype kMostLinesShown = 6;
 constexpr QSize kPreview(240, 135);
+constexpr double kFarthest_m = 10'000; // of a section, as the command takes it
+constexpr std::array<std::pair<const char*, const char*>, 4> kMetricScales{
+    {{"1:25", "1:25"}, {"1:50", "1:50"}, {"1:100", "1:100"}, {"1:200", "1:200"}}};
+constexpr std::array<std::pair<const char*, const char*>, 4> kImperialScales{{{"1/2\" = 1'-0\"", "1:24"},
+                                                                              {"1/4\" = 1'-0\"", "1:48"},
+                                                                              {"1/8\" = 1'-0\"", "1:96"},
+                                                                              {"1/16\" = 1'-0\"", "1:192"}}};
 
 QComboBox* choice(const QString& name, std::initializer_list<std::pair<const char*, const char*>> words,
                   QWidget* parent) {
@@ -139,6 +149,8 @@ PrintDialog::PrintDialog(What what, AppModel& app, Actions& actions, QWidget* pa
                     {{QT_TRANSLATE_NOOP("Print", "Metres, kilograms"), "metric"},
                      {QT_TRANSLATE_NOOP("Print", "Feet, pounds"), "imperial"}},
                     this);
+    connect(units_, &QComboBox::currentIndexChanged, this, &PrintDialog::offer_scales);
+    offer_scales();
     form->addRow(translated("Print", "Language"), language_);
     form->addRow(translated("Print", "Units"), units_);
     form->addRow(translated("Print", "Page"), page_);
@@ -186,13 +198,7 @@ PrintDialog::PrintDialog(What what, AppModel& app, Actions& actions, QWidget* pa
 void PrintDialog::add_paper_choices(QFormLayout& form) {
     plan_ = new QCheckBox(translated("Print", "Plan and section"), this);
     focus_ = new QCheckBox(translated("Print", "Focus charts"), this);
-    scale_ = choice(translated("Print", "Scale"),
-                    {{QT_TRANSLATE_NOOP("Print", "Largest that fits"), "fit"},
-                     {"1:25", "1:25"},
-                     {"1:50", "1:50"},
-                     {"1:100", "1:100"},
-                     {"1:200", "1:200"}},
-                    this);
+    scale_ = choice(translated("Print", "Scale"), {}, this);
     sheet_ = choice(translated("Print", "Sheet of the plan"),
                     {{QT_TRANSLATE_NOOP("Print", "As the page asks"), ""},
                      {"A4", "A4"},
@@ -203,14 +209,62 @@ void PrintDialog::add_paper_choices(QFormLayout& form) {
                      {"Tabloid", "Tabloid"},
                      {"Arch D", "ArchD"}},
                     this);
-    for (QComboBox* of_plan : {scale_, sheet_}) {
-        of_plan->setEnabled(false);
-        connect(plan_, &QCheckBox::toggled, of_plan, &QWidget::setEnabled);
-    }
+    section_ = new QLineEdit(this);
+    section_->setAccessibleName(translated("Print", "Where the section is cut"));
+    section_->setPlaceholderText(translated("Print", "x in metres; empty: not cut"));
+    auto* numbers = new QDoubleValidator(-kFarthest_m, kFarthest_m, 3, section_);
+    numbers->setLocale(QLocale::c());
+    numbers->setNotation(QDoubleValidator::StandardNotation);
+    section_->setValidator(numbers);
+    date_ = new QLineEdit(this);
+    date_->setAccessibleName(translated("Print", "Date in the title block"));
+    date_->setPlaceholderText(translated("Print", "printed as it is"));
+    moment_ = choice(translated("Print", "Moment of the focus charts"), {}, this);
+    const auto belongs = [](QCheckBox* to, std::initializer_list<QWidget*> choices) {
+        for (QWidget* const one : choices) {
+            one->setEnabled(false);
+            connect(to, &QCheckBox::toggled, one, &QWidget::setEnabled);
+        }
+    };
+    belongs(plan_, {scale_, sheet_, section_, date_});
+    belongs(focus_, {moment_});
     form.addRow(plan_);
     form.addRow(translated("Print", "Scale"), scale_);
     form.addRow(translated("Print", "Sheet"), sheet_);
+    form.addRow(translated("Print", "Section"), section_);
+    form.addRow(translated("Print", "Date"), date_);
     form.addRow(focus_);
+    form.addRow(translated("Print", "Moment"), moment_);
+}
+
+// Those of the ruler that goes with the units.
+void PrintDialog::offer_scales() {
+    if (!scale_) return;
+    scale_->clear();
+    scale_->addItem(translated("Print", "Largest that fits"), "fit");
+    const bool is_metric = units_->currentData().toString() == "metric";
+    for (const auto& [text, scale] : is_metric ? kMetricScales : kImperialScales)
+        scale_->addItem(text, scale);
+}
+
+// data: the option of the command and its value.
+void PrintDialog::offer_moments() {
+    if (!moment_) return;
+    const QVariant chosen = moment_->currentData();
+    moment_->clear();
+    moment_->addItem(translated("Print", "Nothing is sent"), QStringList{"", ""});
+    for (const scene::Cue& cue : app_.show()->cues) {
+        const QString name = QString::fromStdString(cue.name);
+        moment_->addItem(translated("Print", "Cue %1").arg(name), QStringList{"--cue", name});
+    }
+    Report unheard; // the job says it
+    const auto looks = scene::load_looks(scene::looks_file(*app_.show()), unheard);
+    if (looks.ok())
+        for (const scene::StoredLook& look : *looks) {
+            const QString name = QString::fromStdString(look.name);
+            moment_->addItem(translated("Print", "Look %1").arg(name), QStringList{"--look", name});
+        }
+    moment_->setCurrentIndex(std::max(moment_->findData(chosen), 0));
 }
 
 void PrintDialog::add_book_choices(QFormLayout& form) {
@@ -298,6 +352,7 @@ void PrintDialog::name_show() {
     const QString beside = folder.filePath(what_ == What::paper ? "paper" : "book");
     if (folder_->text() == proposed_) folder_->setText(beside); // else somebody typed it
     proposed_ = beside;
+    offer_moments();
     if (!camera_) return;
     const QVariant chosen = camera_->currentData(); // an edit opens the show anew
     camera_->clear();
@@ -315,7 +370,7 @@ bool PrintDialog::takes_marks() const {
 
 QString PrintDialog::options() const {
     QStringList words;
-    const auto add = [&](const char* option, const QString& value) {
+    const auto add = [&](const QString& option, const QString& value) {
         if (!value.isEmpty()) words << option << quoted(value);
     };
     add("--paper", page_->currentData().toString());
@@ -333,11 +388,17 @@ QString PrintDialog::options() const {
         add("--against", against_->text());
         return words.join(' ');
     }
-    if (focus_->isChecked()) words << "--focus";
+    if (focus_->isChecked()) {
+        words << "--focus";
+        const QStringList moment = moment_->currentData().toStringList();
+        add(moment[0], moment[1]);
+    }
     if (plan_->isChecked()) {
         words << "--plan";
         add("--scale", scale_->currentData().toString());
         add("--sheet", sheet_->currentData().toString());
+        add("--section", section_->text().trimmed());
+        add("--date", date_->text());
     }
     return words.join(' ');
 }

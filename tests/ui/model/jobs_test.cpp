@@ -7,6 +7,7 @@
 #include "base/progress.h"
 #include "disk/files.h"
 
+#include <QDir>
 #include <QElapsedTimer>
 #include <QFile>
 #include <QTemporaryDir>
@@ -118,6 +119,18 @@ TEST(Jobs, who_goes_waits_for_what_tidies_up) {
         QCoreApplication::processEvents(QEventLoop::AllEvents, 20);
     shop.jobs.reset();
     EXPECT_TRUE(QFile::exists(file));
+}
+
+TEST(Jobs, what_is_killed_leaves_no_hidden_folder) {
+    Workshop shop("mkdir \"$(dirname \"$5\")/.book.part$$_1\"; kill -9 $$\n");
+    const QDir folder(shop.folder.path());
+    ASSERT_TRUE(folder.mkdir(".other.part999999999_1"));
+    shop.jobs->start("Book", {"book", "-o", folder.filePath("book")});
+    shop.wait();
+    ASSERT_EQ(shop.ended.size(), 1u);
+    EXPECT_EQ(shop.ended[0].state, Job::State::failed);
+    EXPECT_EQ(folder.entryList({".*.part*"}, QDir::Dirs | QDir::Hidden),
+              QStringList{".other.part999999999_1"});
 }
 
 TEST(Jobs, a_program_that_is_not_there_is_a_failure) {

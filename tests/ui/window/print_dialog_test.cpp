@@ -84,6 +84,30 @@ TEST(PrintDialog, a_book_has_a_language_units_and_marks) {
     EXPECT_TRUE(book.options().contains("--marks \"cues.csv\"")) << book.options().toStdString();
 }
 
+TEST(PrintDialog, paper_has_the_choices_of_plan_and_focus_charts) {
+    Printing in;
+    const PrintDialog& paper = in.dialog("paperwork");
+    QComboBox& scale = *in.named<QComboBox>(paper, "Scale");
+    EXPECT_GE(scale.findData("1:50"), 0);
+    QComboBox& units = *in.named<QComboBox>(paper, "Units");
+    units.setCurrentIndex(units.findData("imperial"));
+    EXPECT_LT(scale.findData("1:50"), 0);
+    scale.setCurrentIndex(scale.findData("1:48"));
+    QLineEdit& section = *in.named<QLineEdit>(paper, "Where the section is cut");
+    section.setText("-2.5");
+    in.named<QLineEdit>(paper, "Date in the title block")->setText("1 May");
+    QComboBox& moment = *in.named<QComboBox>(paper, "Moment of the focus charts");
+    moment.addItem("Cue Blue", QStringList{"--cue", "Blue"});
+    moment.setCurrentIndex(moment.count() - 1);
+    EXPECT_FALSE(section.isEnabled());
+    EXPECT_FALSE(paper.options().contains("--section"));
+    EXPECT_FALSE(paper.options().contains("--cue"));
+    for (QCheckBox* const box : paper.findChildren<QCheckBox*>()) box->setChecked(true);
+    EXPECT_TRUE(section.isEnabled());
+    for (const char* part : {"--scale \"1:48\"", "--section \"-2.5\"", "--date \"1 May\"", "--cue \"Blue\""})
+        EXPECT_TRUE(paper.options().contains(part)) << part << ": " << paper.options().toStdString();
+}
+
 TEST(PrintDialog, a_book_is_seen_from_where_the_cues_put_it_or_from_a_camera_by_name) {
     Printing in;
     const PrintDialog& book = in.dialog("cue-book");

@@ -35,6 +35,8 @@ public:
 private:
     void add_paper_choices(QFormLayout& form);
     void add_book_choices(QFormLayout& form);
+    void offer_scales();
+    void offer_moments();
     bool takes_marks() const;
     QWidget* make_preview();
     void name_show();
@@ -53,9 +55,9 @@ private:
     QString made_;     // the folder that the job makes
     QString proposed_; // beside the show
     QLineEdit* folder_;
-    QComboBox *page_, *language_, *units_, *scale_ = nullptr, *sheet_ = nullptr;
+    QComboBox *page_, *language_, *units_, *scale_ = nullptr, *sheet_ = nullptr, *moment_ = nullptr;
     QComboBox *entries_ = nullptr, *camera_ = nullptr, *size_ = nullptr, *layout_ = nullptr;
-    QLineEdit *against_ = nullptr, *marks_ = nullptr;
+    QLineEdit *against_ = nullptr, *marks_ = nullptr, *section_ = nullptr, *date_ = nullptr;
     QCheckBox *pdf_, *plan_ = nullptr, *focus_ = nullptr;
     QLabel* said_;
     QProgressBar* bar_;
