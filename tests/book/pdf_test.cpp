@@ -40,7 +40,8 @@ Result<std::string> of_book(const Book& book, const std::filesystem::path& folde
                             PaperSize size = PaperSize::a4, BookLayout layout = BookLayout::list) {
     Report report;
     Result<std::string> pdf = pdf_of(book, folder, size, report, {}, layout);
-    EXPECT_TRUE(report.messages.empty());
+    for (const Message& message : report.messages) // which fonts a machine has is its own
+        EXPECT_NE(message.what.find("no font"), std::string::npos) << message.what;
     return pdf;
 }
 
