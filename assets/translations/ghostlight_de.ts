@@ -6613,12 +6613,12 @@ Bitte den Namen des Ordners prüfen.</translation>
         <translation>[[cue]] nennt die Kamera &apos;%1&apos;, die die Show nicht hat</translation>
     </message>
     <message>
-        <source>is there with &apos;%1&apos; and is no cue book that Ghostlight made (which .ghostlight in it would tell): it is not replaced</source>
-        <translation>ist da mit &apos;%1&apos; und ist kein Cue-Buch von Ghostlight (was .ghostlight darin sagen würde): es wird nicht ersetzt</translation>
+        <source>is there and is no cue book that Ghostlight made (which .ghostlight in it would tell), with &apos;%1&apos; in it: it is not replaced</source>
+        <translation>ist da und ist kein Cue-Buch von Ghostlight (was .ghostlight darin sagen würde), mit &apos;%1&apos; darin: es wird nicht ersetzt</translation>
     </message>
     <message>
-        <source>is there with &apos;%1&apos; and is no paperwork that Ghostlight made (which .ghostlight in it would tell): it is not replaced</source>
-        <translation>ist da mit &apos;%1&apos; und sind keine Unterlagen von Ghostlight (was .ghostlight darin sagen würde): sie werden nicht ersetzt</translation>
+        <source>is there and is no paperwork that Ghostlight made (which .ghostlight in it would tell), with &apos;%1&apos; in it: it is not replaced</source>
+        <translation>ist da und sind keine Unterlagen von Ghostlight (was .ghostlight darin sagen würde), mit &apos;%1&apos; darin: sie werden nicht ersetzt</translation>
     </message>
     <message>
         <source>has &apos;%1&apos;, which Ghostlight did not make: it is not replaced before that is elsewhere</source>

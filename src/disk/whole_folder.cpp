@@ -61,10 +61,10 @@ Result<void> check_ours(const fs::path& folder, const fs::path& place, const std
     const Result<std::string> list = read_text_file(folder / kListName, kMostListBytes);
     const std::string head = kMaker + kind + "\n";
     if (!list.ok() || !list->starts_with(head))
-        return Error{"is there" + (files.empty() ? "" : " with '" + *files.begin() + "'") + " and is no " +
-                         kind +
-                         " that Ghostlight made (which .ghostlight in it would tell): it is not replaced",
-                     place.string()};
+        return Error{
+            "is there and is no " + kind + " that Ghostlight made (which .ghostlight in it would tell)" +
+                (files.empty() ? "" : ", with '" + *files.begin() + "' in it") + ": it is not replaced",
+            place.string()};
     std::set<std::string> made;
     for (std::size_t begin = head.size(), end; begin < list->size(); begin = end + 1) {
         end = std::min(list->find('\n', begin), list->size());

@@ -858,12 +858,10 @@ constexpr const char* kSentences[] = {
     QT_TRANSLATE_NOOP("Sentence",
                       "[[cue]] names camera '%1', which the show does not have, did you mean '%2'?"),
     QT_TRANSLATE_NOOP("Sentence", "[[cue]] names camera '%1', which the show does not have"),
-    QT_TRANSLATE_NOOP("Sentence",
-                      "is there with '%1' and is no cue book that Ghostlight made (which .ghostlight in it "
-                      "would tell): it is not replaced"),
-    QT_TRANSLATE_NOOP("Sentence",
-                      "is there with '%1' and is no paperwork that Ghostlight made (which .ghostlight in it "
-                      "would tell): it is not replaced"),
+    QT_TRANSLATE_NOOP("Sentence", "is there and is no cue book that Ghostlight made (which .ghostlight in it "
+                                  "would tell), with '%1' in it: it is not replaced"),
+    QT_TRANSLATE_NOOP("Sentence", "is there and is no paperwork that Ghostlight made (which .ghostlight in "
+                                  "it would tell), with '%1' in it: it is not replaced"),
     QT_TRANSLATE_NOOP("Sentence",
                       "has '%1', which Ghostlight did not make: it is not replaced before that is "
                       "elsewhere"),
