@@ -160,7 +160,7 @@ void Update::make_missing() {
     std::vector<std::size_t> missing;
     for (std::size_t k = 0; k < maps_.size(); ++k)
         if (right_[k] == 0) missing.push_back(k);
-    if (missing.empty()) return;
+    if (missing.empty() || stopped()) return;
     if (options_.progress) options_.progress(0.0, "preparing the stage");
     const Tracer tracer(stage_);
     tbb::parallel_for(std::size_t{0}, missing.size(), [&](std::size_t m) {

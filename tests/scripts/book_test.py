@@ -212,6 +212,18 @@ class Book(unittest.TestCase):
         reasons = {picture["why_not"] for picture in json.loads((out / "difference.json").read_text(encoding="utf-8"))["pictures"]}
         self.assertEqual(reasons, {"die Bilder sind verschieden groß: 64 x 36 und 96 x 54 Pixel"})
 
+    def test_hears_soon_that_it_is_to_stop(self):
+        book = subprocess.Popen([PROGRAM, "book", self.show, "-o", WORK / "stopped", *SIZE], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+        while not list(WORK.glob(".stopped.part*")):
+            self.assertIsNone(book.poll())
+            time.sleep(0.01)
+        book.send_signal(signal.SIGTERM)
+        text = book.communicate(timeout=600)[0]
+        self.assertEqual(book.returncode, 1, text)
+        self.assertIn("interrupted", text)
+        self.assertNotIn("drawing on", text, "before a device is opened")
+        self.assertEqual(list(WORK.glob("*stopped*")), [])
+
     def test_leaves_what_comes_into_its_folder_meanwhile(self):
         out = WORK / "meanwhile"
         book = subprocess.Popen([PROGRAM, "book", self.show, "-o", out, *SIZE], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)

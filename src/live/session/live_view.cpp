@@ -100,12 +100,17 @@ LiveView::LiveView(const gpu::Device& device, const scene::Show& show, scene::St
 Result<std::unique_ptr<LiveView>> LiveView::open(const gpu::Device& device, scene::Show& show,
                                                  const scene::Camera& camera, const LiveOptions& options,
                                                  Report& report) {
+    // A command ends here; a window, which has its maps made in the background, closes by itself.
+    const auto ends = [&] { return !options.maps_in_background && interrupted(); };
+    const Error interruption{"interrupted while opening the stage", ""};
     load_stage(show, report);
-    auto view = std::unique_ptr<LiveView>(new LiveView(
-        device, show,
-        scene::stage_with_bodies(
-            show, report, options.keep_hidden ? scene::HiddenObjects::kept : scene::HiddenObjects::left_out),
-        camera, options.air.value_or(atmosphere_of(show)), report));
+    if (ends()) return interruption;
+    scene::Stage stage = scene::stage_with_bodies(
+        show, report, options.keep_hidden ? scene::HiddenObjects::kept : scene::HiddenObjects::left_out);
+    if (ends()) return interruption;
+    auto view = std::unique_ptr<LiveView>(new LiveView(device, show, std::move(stage), camera,
+                                                       options.air.value_or(atmosphere_of(show)), report));
+    if (ends()) return interruption;
     if (!options.shadows) return view;
     if (!show.movers.empty()) {
         view->begin_moving_maps(report);

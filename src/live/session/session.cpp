@@ -479,6 +479,7 @@ Result<std::unique_ptr<Session>> open_session(const SessionOptions& asked, scene
     print_report(report, printed);
     printed = report.messages.size();
 
+    if (!options.maps_in_background && interrupted()) return Error{"interrupted: nothing is drawn", ""};
     TRY(session->device,
         gpu::Device::create({options.device, options.validation, options.memory_limit_bytes, options.shaders,
                              options.pipeline_statistics, options.lowered_limits}));
