@@ -16,7 +16,6 @@
 #include "dmx/record/player.h"
 #include "dmx/record/recording_tasks.h"
 #include "live/session/session.h"
-#include "print/quantities.h"
 #include "show/show.h"
 
 #include "base/interrupt.h"
@@ -68,9 +67,8 @@ Result<void> check_film(const TourArguments& arguments) {
     TRY(dmx::Recording recording, dmx::open_recording(show.recording, {}, quiet));
     const double end_s = dmx::Player(std::move(recording)).duration_s();
     if (arguments.film.from_s >= end_s)
-        return Error{"the recording ends at " + scene::number_text(static_cast<float>(end_s), 2) +
-                         " s, --film-from " +
-                         scene::number_text(static_cast<float>(arguments.film.from_s), 2) + " is behind it",
+        return Error{"the recording ends at " + scene::PrintStyle{}.number(end_s, 2) + " s, --film-from " +
+                         scene::PrintStyle{}.number(arguments.film.from_s, 2) + " is behind it",
                      show.recording.string()};
     return {};
 }
