@@ -43,7 +43,8 @@ class Book extends HTMLElement {
       this.forget();
     });
     hear("show", () => {
-      if (this.opens >= 0 && this.opens !== now.show.opens) this.forget();
+      if (this.opens === now.show.opens) return;
+      if (this.opens >= 0) this.forget();
       this.opens = now.show.opens;
       this.read(false);
     });

@@ -24,6 +24,7 @@ void plan_cues(const Show& show, const std::vector<StoredLook>& looks, const Pri
     std::optional<double> at_s;
     std::optional<std::size_t> look;
     std::string camera;
+    bool is_look_missing = false;
     for (const Cue& cue : show.cues) {
         PlannedEntry& planned = plan.entries.emplace_back();
         BookEntry& entry = planned.entry;
@@ -36,7 +37,7 @@ void plan_cues(const Show& show, const std::vector<StoredLook>& looks, const Pri
         entry.fade_s = cue.fade_s;
         if (!cue.look.empty()) {
             look = index_of(looks, cue.look);
-            planned.is_other = !look;
+            is_look_missing = !look;
             if (!look) entry.unknown.push_back(style("the show has no look '%1'", {cue.look}));
             if (look && !entry.fade_s) entry.fade_s = looks[*look].fade_s;
         }
@@ -52,7 +53,7 @@ void plan_cues(const Show& show, const std::vector<StoredLook>& looks, const Pri
         entry.at_s = at_s;
         if (!show.recording.empty() && !at_s)
             entry.unknown.push_back(style("no cue so far says a second of the recording: nothing is sent"));
-        planned.is_other = planned.is_other || (show.recording.empty() && cue.at_s);
+        planned.is_other = is_look_missing || (show.recording.empty() && at_s && !look);
         if (show.recording.empty() && cue.at_s)
             entry.unknown.push_back(style("the show has no recording: what it does at %1 s is not known",
                                           {style.number(*cue.at_s, 2)}));

@@ -31,9 +31,23 @@ bool begins_with_drop_frame(std::string_view line) {
            std::count(time.begin(), time.end(), ':') == 2;
 }
 
-// Of the first line that has one, outside of quotes and of time code: a spreadsheet whose decimals have
-// commas writes ';'.
+bool looks_like_time(std::string_view cell) {
+    cell = trimmed(cell);
+    return !cell.empty() && cell.front() >= '0' && cell.front() <= '9' &&
+           cell.find_first_not_of("0123456789:.,") == std::string_view::npos;
+}
+
+// Of the first line that has a time before it; where none has, of the first that has one at all, outside of
+// quotes and of time code: a spreadsheet whose decimals have commas writes ';'.
 char separator_of(std::string_view text) {
+    for (const std::string_view whole : split(text, '\n')) {
+        std::string_view line = trimmed(whole);
+        if (begins_with_drop_frame(line)) line.remove_prefix(line.find(';') + 1);
+        for (const char separator : {';', '\t', ','})
+            if (const std::size_t end = line.find(separator);
+                end != std::string_view::npos && looks_like_time(line.substr(0, end)))
+                return separator;
+    }
     for (const std::string_view whole : split(text, '\n')) {
         std::string_view line = trimmed(whole);
         if (line.starts_with('#')) continue;
@@ -145,6 +159,11 @@ std::vector<Mark> read_marks(std::string_view csv, const std::string& file, doub
             refuse("a mark has " + std::to_string(cells) + " parts, expected at most " +
                    std::to_string(most_cells) + " (time, number, name, note); one with " + parts_at +
                    " of its own stands in quotes");
+            continue;
+        }
+        if (separator == ';' && frames_per_s == kDropFramesPer_s &&
+            std::count(time.begin(), time.end(), ':') == 2 && cell(1).size() == 2 && number_from(cell(1))) {
+            refuse("drop-frame time code in a file that parts by ';' stands in quotes");
             continue;
         }
         if (const std::size_t comma = time.find(','); separator != ',' && comma != std::string::npos)

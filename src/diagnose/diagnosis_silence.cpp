@@ -203,7 +203,8 @@ void add_nothing(const dmx::Statistics& statistics, const Arriving& arriving, co
     const dmx::Listening& listening = statistics.listening;
     if (is_unreadable(statistics)) {
         const auto bad_universe = static_cast<std::size_t>(dmx::Drop::bad_universe);
-        const bool has_bad_universe = statistics.recent.refused[bad_universe] > 0;
+        const bool has_bad_universe =
+            statistics.recent.refused[bad_universe] > statistics.recent.refused_sacn[bad_universe];
         const bool of_sacn = statistics.recent.refused_sacn[bad_universe] > 0;
         out.push_back(problem(
             Trouble::nothing_arrives,

@@ -302,8 +302,8 @@ void add_two_desks(const dmx::Statistics& statistics, const PatchMap& patch, Sen
         std::string silent;         // who sends nothing any more, and counts yet
         std::string hint;
     };
-    // By who, and who of them is dark: rates flicker.
-    std::map<std::array<std::set<std::string>, 3>, Fight> fights;
+    // By who, and who of them is dark or silent: rates flicker.
+    std::map<std::array<std::set<std::string>, 4>, Fight> fights;
     for (const auto& [universe, sources] : by_universe) {
         std::size_t differ = 0, shared = 0, meet = 0;
         bool all_artnet = true, contested = false;
@@ -335,7 +335,8 @@ void add_two_desks(const dmx::Statistics& statistics, const PatchMap& patch, Sen
         }
         if (differ + shared == 0 || meet < 2) continue;
         if (all_down == meet) down.clear();
-        Fight& fight = fights[{names, dark, down}];
+        const std::set<std::string> of_silent = silent.empty() ? std::set<std::string>() : std::set{silent};
+        Fight& fight = fights[{names, dark, down, of_silent}];
         if (fight.universes.empty()) fight.who = joined(who);
         fight.universes.insert(universe);
         fight.channels = std::max(fight.channels, differ);

@@ -127,20 +127,26 @@ Result<void> WholeFolder::commit() {
     TRY_VOID(write_file_atomic(temporary_ / kListName, list));
     std::error_code code;
     fs::path before;
-    const auto put_back = [&](const Error& error) {
-        if (!before.empty()) fs::rename(before, folder_, code);
-        return error;
-    };
     if (fs::exists(fs::symlink_status(folder_, code))) {
+        TRY_VOID(check_ours(folder_, folder_, kind_)); // since open() somebody may have put something there
         before = temporary_beside(folder_);
         fs::rename(folder_, before, code);
         if (code) return failed("cannot be replaced", code, folder_);
-        // Since open() somebody may have put something there; here nobody does any more.
-        if (const Result<void> ours = check_ours(before, folder_, kind_); !ours.ok())
-            return put_back(ours.error());
     }
     fs::rename(temporary_, folder_, code);
-    if (code) return put_back(failed("cannot be put into place", code, folder_));
+    if (code) {
+        const Error error = failed("cannot be put into place", code, folder_);
+        if (!before.empty()) fs::rename(before, folder_, code);
+        return error;
+    }
+    // Looked at once more, for here nobody puts anything any more; and after both names have changed, so that
+    // no end of this program leaves the place empty for long.
+    if (const Result<void> ours = before.empty() ? Result<void>() : check_ours(before, folder_, kind_);
+        !ours.ok()) {
+        fs::rename(folder_, temporary_, code);
+        fs::rename(before, folder_, code);
+        return ours.error();
+    }
     temporary_.clear();
     if (!before.empty()) fs::remove_all(before, code);
     return {};

@@ -17,7 +17,9 @@
 #include <ifaddrs.h>
 #include <linux/sock_diag.h>
 #include <net/if.h>
+#include <net/if_arp.h>
 #include <netinet/in.h>
+#include <netpacket/packet.h>
 #include <poll.h>
 #include <sys/socket.h>
 #include <unistd.h>
@@ -61,6 +63,11 @@ std::string reason() {
     return std::strerror(errno);
 }
 
+// CAN and tunnels are no network of light.
+bool is_ethernet(const sockaddr& of) {
+    return of.sa_family == AF_PACKET && reinterpret_cast<const sockaddr_ll&>(of).sll_hatype == ARPHRD_ETHER;
+}
+
 bool set_int(int handle, int level, int option, int value) {
     return setsockopt(handle, level, option, &value, sizeof value) == 0;
 }
@@ -80,7 +87,7 @@ std::vector<NetInterface> list_interfaces() {
     for (const ifaddrs* entry = first; entry; entry = entry->ifa_next) {
         if (!entry->ifa_addr || !(entry->ifa_flags & IFF_UP)) continue;
         const int family = entry->ifa_addr->sa_family;
-        if (family != AF_INET && family != AF_INET6 && family != AF_PACKET) continue;
+        if (family != AF_INET && family != AF_INET6 && !is_ethernet(*entry->ifa_addr)) continue;
         NetInterface interface;
         interface.name = entry->ifa_name;
         interface.index = if_nametoindex(entry->ifa_name);
@@ -104,7 +111,7 @@ std::vector<NetInterface> list_interfaces() {
                              [&wanted = name](const NetInterface& other) { return other.name == wanted; }))
                 result.push_back(interface);
     for (NetInterface& interface : result)
-        interface.bridged = ::access(("/sys/class/net/" + interface.name + "/brport").c_str(), F_OK) == 0;
+        interface.bridged = ::access(("/sys/class/net/" + interface.name + "/master").c_str(), F_OK) == 0;
     return result;
 }
 
@@ -113,7 +120,8 @@ Result<NetInterface> find_interface(const std::string& name_or_address) {
     const Result<std::uint32_t> address = parse_ipv4(name_or_address);
     std::string names;
     for (const NetInterface& interface : all) {
-        if (interface.name == name_or_address || (address.ok() && interface.address == *address))
+        if (interface.name == name_or_address ||
+            (address.ok() && *address != 0 && interface.address == *address))
             return interface;
         names += (names.empty() ? "" : ", ") + interface.name + " (" +
                  (interface.address ? ipv4_text(interface.address)

@@ -34,10 +34,10 @@ void Xchange::Loop::check_interfaces() {
         if (auto one = dmx::find_interface(options_.interface); one.ok()) now.push_back(std::move(*one));
     } else {
         now = dmx::list_interfaces();
-        std::erase_if(now, [](const dmx::NetInterface& interface) { return interface.address == 0; });
         const auto loopback = [](const dmx::NetInterface& interface) { return interface.loopback; };
         if (!std::all_of(now.begin(), now.end(), loopback)) std::erase_if(now, loopback);
     }
+    std::erase_if(now, [](const dmx::NetInterface& interface) { return interface.address == 0; });
     if (now == interfaces_) return;
     for (const dmx::NetInterface& interface : now)
         if (const auto joined = mdns_->join(dmx::kMdnsGroup, interface); !joined.ok())

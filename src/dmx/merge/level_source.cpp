@@ -160,8 +160,8 @@ std::optional<unsigned> LevelSource::in_sequence(const Packet& packet, std::chro
     if (missed) {
         missed_ += *missed;
         const unsigned lost = lost_of(*missed, by_other_port, now);
-        gaps_.open(lost);
-        gaps_beyond_.open(std::min<double>(lost, std::max(0.0, *missed - elsewhere)));
+        gaps_.next(lost);
+        gaps_beyond_.next(std::min<double>(lost, std::max(0.0, *missed - elsewhere)));
         if (elsewhere > 0) ++(*missed > 0 ? gaps_beside_ : none_beside_);
         window_.odd += *missed > 0 || sequence_.stepped_back() ? 1 : 0;
         window_.back += sequence_.stepped_back() ? 1 : 0;
@@ -174,8 +174,6 @@ std::optional<unsigned> LevelSource::in_sequence(const Packet& packet, std::chro
             gaps_beyond_.came_late();
         }
     }
-    gaps_.look();
-    gaps_beyond_.look();
     return missed;
 }
 
@@ -264,8 +262,10 @@ void LevelSource::measure_rate(std::chrono::nanoseconds now) {
     const auto window = now - window_start_;
     if (window < kRateWindow) return;
     const double window_s = std::chrono::duration<double>(window).count();
+    if (window_.late == 0) is_reordered_ = false;
     if (window_.packets >= kEnoughPackets) {
-        is_reordered_ = window_.swapped > kMostSwapped * window_.odd && window_.late >= kManyLate;
+        is_reordered_ = window_.swapped > kMostSwapped * window_.odd && window_.odd >= kManyLate &&
+                        window_.late >= kManyLate;
         has_gaps_ = !is_reordered_ && window_.odd > kMostGaps * window_.packets;
     }
     // What two senders in one row of numbers seem to miss is not lost; what is not known yet waits.

@@ -27,25 +27,42 @@ inline constexpr std::chrono::milliseconds kUsbLoss{2500};     // a widget repea
 inline constexpr std::uint8_t kMaxPriority = 200;              // E1.31-2018 6.2.3
 inline constexpr std::chrono::milliseconds kWaySilence{1250};  // unchanged sACN levels come every 0.8 to 1 s
 
-// Packets that were missed and may still come late. Lost is what stays missing through two windows.
+// Packets that were missed and may still come late: before kMostLate newer ones, and in a second or two. What
+// does not is lost.
 class OpenGaps {
 public:
-    void open(double packets) { open_ += packets; }
-    void came_late() { open_ = std::max(0.0, open_ - 1); }
-    // After each packet.
-    void look() { least_ = std::min(least_, open_); }
-    // At the end of a window. Returns what is lost.
+    // At each packet that is newer than all before it.
+    void next(double missed) {
+        Gap& gap = gaps_[at_ = (at_ + 1) % gaps_.size()];
+        lost_ += gap.packets;
+        gap = {missed, false};
+    }
+    // The newest gap first: an older one is likelier to stay.
+    void came_late() {
+        for (std::size_t k = 0; k < gaps_.size(); ++k)
+            if (Gap& gap = gaps_[(at_ + gaps_.size() - k) % gaps_.size()]; gap.packets > 0) {
+                gap.packets = std::max(0.0, gap.packets - 1);
+                return;
+            }
+    }
+    // Once a second. Returns what was lost since the last time.
     double settle() {
-        const double lost = std::min(least_, least_before_);
-        open_ -= lost;
-        least_before_ = least_ - lost;
-        least_ = open_;
-        return lost;
+        for (Gap& gap : gaps_) {
+            if (gap.is_old) lost_ += std::exchange(gap.packets, 0);
+            gap.is_old = true;
+        }
+        return std::exchange(lost_, 0);
     }
 
 private:
-    double open_ = 0;
-    double least_ = 0, least_before_ = 0; // in this window and the one before
+    struct Gap {
+        double packets = 0;
+        bool is_old = false; // it was open when the second before ended
+    };
+    static constexpr std::size_t kMostLate = 20; // Sequence takes what is further behind for newer
+    std::array<Gap, kMostLate> gaps_;
+    std::size_t at_ = 0; // of the newest packet
+    double lost_ = 0;
 };
 
 class LevelSource {

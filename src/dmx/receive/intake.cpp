@@ -78,15 +78,18 @@ void Intake::take_timecode(const TimeCodeStatus& now) {
     auto& [followed, other] = counted_.followed_timecodes;
     const bool is_same = followed && followed->from == now.from && followed->from_port == now.from_port;
     // Some open a socket for each packet: of one machine a port that spoke once is left for one that is new.
-    const bool moves_on = followed && !is_same && followed->from == now.from && followed_in_a_row_ == 1 &&
-                          now.from_port != left_timecode_port_;
+    const bool is_of_machine = followed && !is_same && followed->from == now.from;
+    const bool is_back = is_of_machine && std::find(left_timecode_ports_.begin(), left_timecode_ports_.end(),
+                                                    now.from_port) != left_timecode_ports_.end();
+    const bool moves_on = is_of_machine && followed_in_a_row_ == 1 && !is_back;
     const bool is_silent = followed && now.arrival - followed->arrival > kTimecodeSilent;
     if (followed && !is_same && !moves_on && !is_silent) {
         other = now;
+        if (is_back) ++followed_in_a_row_; // these are several that keep their ports
         return;
     }
     if (is_silent && !is_same) other.reset();
-    if (moves_on) left_timecode_port_ = followed->from_port;
+    if (moves_on) left_timecode_ports_[followed->packets % left_timecode_ports_.size()] = followed->from_port;
     followed_in_a_row_ = is_same ? followed_in_a_row_ + 1 : 1;
     followed = now;
     if (options_.on_timecode) options_.on_timecode(now.time, now.arrival);

@@ -7,6 +7,7 @@
 #include "dmx/merge/merge.h"
 #include "dmx/receive/statistics.h"
 
+#include <array>
 #include <functional>
 #include <map>
 #include <optional>
@@ -65,10 +66,10 @@ private:
 
     IntakeOptions options_;
     Merge merge_;
-    Discovery discovery_, nodes_;          // of sACN, of Art-Net
-    Statistics counted_;                   // the counters of packets
-    std::uint64_t followed_in_a_row_ = 0;  // time codes of the port that is followed
-    std::uint16_t left_timecode_port_ = 0; // of that machine, followed before
+    Discovery discovery_, nodes_;                        // of sACN, of Art-Net
+    Statistics counted_;                                 // the counters of packets
+    std::uint64_t followed_in_a_row_ = 0;                // time codes of the port that is followed
+    std::array<std::uint16_t, 8> left_timecode_ports_{}; // of that machine, followed before
     struct Unlisted {
         UnlistedUniverse told;                         // age: arrival
         std::chrono::nanoseconds named{0};             // when the sender that it names was heard last,

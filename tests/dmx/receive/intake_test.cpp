@@ -184,6 +184,13 @@ TEST(Intake, a_time_code_that_opens_a_socket_for_each_packet_is_one) {
     intake.report(statistics, now);
     ASSERT_TRUE(statistics.followed_timecodes[1]);
     EXPECT_EQ(statistics.followed_timecodes[1]->time.frames, 20);
+    // And so of three.
+    followed.clear();
+    now += 2s;
+    for (std::uint8_t k = 0; k < 5; ++k)
+        for (std::uint8_t program = 1; program <= 3; ++program)
+            send(program, static_cast<std::uint16_t>(60000 + program));
+    EXPECT_EQ(followed, (std::vector<int>{1, 2, 3, 3, 3, 3, 3}));
 }
 
 TEST(Intake, valid_packets_are_all_understood) {
