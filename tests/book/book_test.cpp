@@ -421,5 +421,19 @@ TEST(Marks, have_the_separator_of_their_first_line) {
     EXPECT_NE(refused.messages[0].what.find("5 parts, expected at most 4"), std::string::npos);
 }
 
+TEST(Marks, have_no_separator_from_their_words) {
+    for (const std::string head : {"time,cue; name\n", "Show: list; made by me\n", ""}) {
+        Report report;
+        const auto marks = read_marks(head + "10,1,Go; slowly\n20,2,B\n", "m.csv", 0, report);
+        ASSERT_EQ(marks.size(), 2u) << head;
+        EXPECT_EQ(marks[0].at_s, 10);
+        EXPECT_EQ(marks[0].name, "Go; slowly");
+        EXPECT_TRUE(report.messages.empty());
+    }
+    Report report;
+    EXPECT_TRUE(read_marks("00:01:23;12;1;A\n", "m.csv", 30, report).empty());
+    EXPECT_NE(report.messages.at(0).what.find("stands in quotes"), std::string::npos);
+}
+
 } // namespace
 } // namespace ghost::scene

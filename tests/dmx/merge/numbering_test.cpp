@@ -129,6 +129,11 @@ TEST(Merge, packets_of_two_paths_come_in_another_order_and_are_not_lost) {
         EXPECT_GT(source.missed, 200u);
         EXPECT_TRUE(source.is_reordered) << static_cast<int>(way);
         EXPECT_FALSE(source.has_gaps);
+        for (int i = 1; i <= 4; ++i) {
+            merge.feed(desk.packet({1}), 30s + i * 1s);
+            merge.tick(30s + i * 1s);
+        }
+        EXPECT_FALSE(merge.sources(34s).at(0).is_reordered) << "it rests, and nothing is late";
     }
 }
 
