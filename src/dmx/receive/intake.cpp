@@ -85,7 +85,6 @@ void Intake::take_timecode(const TimeCodeStatus& now) {
     const bool is_silent = followed && now.arrival - followed->arrival > kTimecodeSilent;
     if (followed && !is_same && !moves_on && !is_silent) {
         other = now;
-        if (is_back) ++followed_in_a_row_; // these are several that keep their ports
         return;
     }
     if (is_silent && !is_same) other.reset();
