@@ -1606,8 +1606,8 @@
         <translation>Blendet dorthin über</translation>
     </message>
     <message>
-        <source>Store what hands set</source>
-        <translation>Handwerte speichern</translation>
+        <source>Store programmer</source>
+        <translation>Programmer speichern</translation>
     </message>
     <message>
         <source>As a new look</source>

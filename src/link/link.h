@@ -122,7 +122,7 @@ struct ViewRequest {
     SaveFrame save_frame;
     std::uint64_t take_plot = 0; // number of the received plot to be merged into the show; 0: none
     RdmAccess rdm = RdmAccess::off;
-    std::uint64_t rdm_answered = 0; // RdmWish
+    std::uint64_t rdm_answered = 0; // RdmEdit
 };
 
 // An instance of the stage that can be hidden.
@@ -310,7 +310,7 @@ struct Link {
     News<std::vector<NamedPicture>> camera_pictures; // all there are
     Mailbox<LookCall> look_call;
     Mailbox<RdmNow> rdm;
-    BoundedQueue<RdmWish, kMostRdmWishes> rdm_wishes;
+    BoundedQueue<RdmEdit, kMostRdmEdits> rdm_edits;
 
     // Of the second reader of the news: browsers.
     Mailbox<std::size_t> question; // the fixture that is to be explained, once

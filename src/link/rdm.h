@@ -11,7 +11,7 @@
 
 namespace ghost::ui {
 
-inline constexpr std::size_t kMostRdmWishes = 4096; // on their way
+inline constexpr std::size_t kMostRdmEdits = 4096; // on their way
 
 enum class RdmAccess {
     off,  // no desk finds a fixture
@@ -21,10 +21,10 @@ enum class RdmAccess {
 inline constexpr const char* kRdmAccess[] = {"off", "read", "edit"};
 
 // What a desk wants of a fixture: one of the three.
-struct RdmWish {
+struct RdmEdit {
     std::uint64_t number = 0;   // grows; ViewRequest::rdm_answered says up to which they are done or refused
     std::size_t fixture = 0;    // of the show that the engine has
-    std::string name;           // of it, with what was wished for before
+    std::string name;           // of it, with what was asked for before
     std::optional<int> address; // in its universe, 1-based
     std::optional<std::size_t> mode;
     std::optional<std::string> label; // its name from now on
@@ -45,7 +45,7 @@ struct RdmNow {
     std::vector<RdmHead> heads; // in the order of the show
     std::uint64_t messages = 0;
     std::uint64_t faults = 0;  // messages that are none
-    std::uint64_t refused = 0; // wishes, for want of leave, or because the show cannot have that
+    std::uint64_t refused = 0; // edits, for want of leave, or because the show cannot have that
     bool operator==(const RdmNow&) const = default;
 };
 

@@ -28,11 +28,6 @@ struct RayContext {
     float* fractions = nullptr; // of the rays of a packet; null: looking for a first hit
 };
 
-glm::vec3 unit_or(const glm::vec3& v, const glm::vec3& fallback) {
-    const float length2 = glm::dot(v, v);
-    return length2 > 1e-20f && std::isfinite(length2) ? v / std::sqrt(length2) : fallback;
-}
-
 scene::Material checked(scene::Material material, const scene::Stage& stage) {
     for (int* texture : {&material.base_texture, &material.normal_texture, &material.surface_texture,
                          &material.emission_texture}) {
@@ -220,9 +215,9 @@ Tracer::Meeting Tracer::meet(const glm::vec3& origin, const glm::vec3& direction
     Meeting meeting;
     meeting.distance_m = hit.ray.tfar;
     meeting.instance = static_cast<int>(hit.hit.instID[0]);
-    meeting.normal = unit_or(normal_matrices_[static_cast<std::size_t>(meeting.instance)] *
-                                 glm::vec3(hit.hit.Ng_x, hit.hit.Ng_y, hit.hit.Ng_z),
-                             -direction);
+    meeting.normal = image::unit_or(normal_matrices_[static_cast<std::size_t>(meeting.instance)] *
+                                        glm::vec3(hit.hit.Ng_x, hit.hit.Ng_y, hit.hit.Ng_z),
+                                    -direction);
     if (glm::dot(meeting.normal, direction) > 0.0f) meeting.normal = -meeting.normal;
     return meeting;
 }
@@ -245,14 +240,14 @@ Surface Tracer::surface_at(const RTCRayHit& hit, const glm::vec3& direction) con
     glm::vec3 vertex[3];
     for (int k = 0; k < 3; ++k) vertex[k] = to_world * mesh.positions[i[k]] + shift;
     s.position = vertex[0] * b[0] + vertex[1] * b[1] + vertex[2] * b[2];
-    s.facet_normal = unit_or(glm::cross(vertex[1] - vertex[0], vertex[2] - vertex[0]), -direction);
+    s.facet_normal = image::unit_or(glm::cross(vertex[1] - vertex[0], vertex[2] - vertex[0]), -direction);
     if (glm::dot(s.facet_normal, direction) > 0.0f) s.facet_normal = -s.facet_normal;
 
     glm::vec3 smooth(0.0f);
     glm::vec3 lift(0.0f);
     float facing = 0.0f;
     for (int k = 0; k < 3; ++k) {
-        glm::vec3 n = unit_or(to_normal * mesh.normals[i[k]], s.facet_normal);
+        glm::vec3 n = image::unit_or(to_normal * mesh.normals[i[k]], s.facet_normal);
         // Files disagree about winding, so only the normals say which side is the front.
         const float towards = glm::dot(n, s.facet_normal);
         facing += towards * b[k];
@@ -260,7 +255,7 @@ Surface Tracer::surface_at(const RTCRayHit& hit, const glm::vec3& direction) con
         smooth += n * b[k];
         lift -= n * (b[k] * std::min(0.0f, glm::dot(s.position - vertex[k], n)));
     }
-    s.normal = unit_or(smooth, s.facet_normal);
+    s.normal = image::unit_or(smooth, s.facet_normal);
     const bool seen_from_behind = facing < 0.0f;
     const glm::vec3 size = glm::abs(s.position);
     const float skin_m = 1e-4f + 1e-5f * std::max({size.x, size.y, size.z});
@@ -301,12 +296,12 @@ Surface Tracer::surface_at(const RTCRayHit& hit, const glm::vec3& direction) con
             tangent = sign * ((vertex[1] - vertex[0]) * d2.y - (vertex[2] - vertex[0]) * d1.y);
             bitangent = -sign * ((vertex[2] - vertex[0]) * d1.x - (vertex[1] - vertex[0]) * d2.x);
         }
-        tangent = unit_or(tangent - front * glm::dot(front, tangent), glm::vec3(0.0f));
-        bitangent = unit_or(bitangent - front * glm::dot(front, bitangent), glm::vec3(0.0f));
+        tangent = image::unit_or(tangent - front * glm::dot(front, tangent), glm::vec3(0.0f));
+        bitangent = image::unit_or(bitangent - front * glm::dot(front, bitangent), glm::vec3(0.0f));
         const glm::vec3 map = glm::vec3(textures_.data(material.normal_texture, uv)) * 2.0f - 1.0f;
         const glm::vec3 bent =
             (tangent * map.x + bitangent * map.y) * material.normal_scale + front * std::max(map.z, 0.01f);
-        s.normal = unit_or(seen_from_behind ? -bent : bent, s.normal);
+        s.normal = image::unit_or(seen_from_behind ? -bent : bent, s.normal);
     }
     return s;
 }

@@ -54,7 +54,7 @@ void ServerLoop::go_to_watch(Guest& guest) {
     }
     choose_sides();
     if (side_for(viewer)) return;
-    guest.connection.put(build_text(refused_text(0, kNoPlace))); // the wish stays: choose_sides()
+    guest.connection.put(build_text(refused_text(0, kNoPlace))); // the request stays: choose_sides()
 }
 
 std::optional<ui::SideView> ServerLoop::side_of(const Watch& watch) const {

@@ -116,7 +116,7 @@ inline RigNow four_lit() {
     return rig;
 }
 
-// The other end: what the window wished for last, and news for it.
+// The other end: what the window asked for last, and news for it.
 struct Bench {
     Link link;
     AppModel app{link};

@@ -49,13 +49,13 @@ std::string QxfSketcher::slot_name(const QxfCapability& capability) {
     return capability.name;
 }
 
-SlotWish QxfSketcher::wish_colour(Wheel& wheel, const QxfCapability& capability) {
+SlotRequest QxfSketcher::request_colour(Wheel& wheel, const QxfCapability& capability) {
     const std::optional<ColorCie> first = color_from_hex(capability.resource);
     const std::optional<ColorCie> second = color_from_hex(capability.resource2);
     if (first) {
-        SlotWish wish{slot_of(wheel, capability.name, *first, "")};
-        if (second) wish.second = slot_of(wheel, capability.name, *second, "");
-        return wish;
+        SlotRequest request{slot_of(wheel, capability.name, *first, "")};
+        if (second) request.second = slot_of(wheel, capability.name, *second, "");
+        return request;
     }
     if (has_word(capability.words, {"auto", "sound", "program", "macro", "random", "chang", "fade", "jump",
                                     "chase", "effect", "speed", "strob", "index"}))
@@ -77,7 +77,7 @@ SlotWish QxfSketcher::wish_colour(Wheel& wheel, const QxfCapability& capability)
     return {};
 }
 
-SlotWish QxfSketcher::wish_gobo(Wheel& wheel, const QxfCapability& capability) {
+SlotRequest QxfSketcher::request_gobo(Wheel& wheel, const QxfCapability& capability) {
     const bool shows = capability.preset == "GoboMacro" || capability.preset == "GoboShakeMacro";
     const std::string& words = capability.words;
     if (!shows &&
@@ -99,7 +99,7 @@ SlotWish QxfSketcher::wish_gobo(Wheel& wheel, const QxfCapability& capability) {
     return {slot_of(wheel, slot_name(capability), {}, picture)};
 }
 
-SlotWish QxfSketcher::wish_prism(Wheel& wheel, const QxfCapability& capability) {
+SlotRequest QxfSketcher::request_prism(Wheel& wheel, const QxfCapability& capability) {
     const std::string& words = capability.words;
     const bool on = capability.preset == "PrismEffectOn";
     if (wheel.slots.empty()) slot_of(wheel, "Open", {}, "");
@@ -140,10 +140,10 @@ bool QxfSketcher::wheel_turns(const QxfCapability& capability) const {
 }
 
 // Two colours side by side: slots that are neighbours, else two more at the end.
-float QxfSketcher::between(Wheel& wheel, SlotWish wish) {
+float QxfSketcher::between(Wheel& wheel, SlotRequest request) {
     const int count = static_cast<int>(wheel.slots.size());
-    const int low = std::min(wish.first, wish.second);
-    const int high = std::max(wish.first, wish.second);
+    const int low = std::min(request.first, request.second);
+    const int high = std::max(request.first, request.second);
     if (high - low == 1) return static_cast<float>(low) + 0.5f;
     for (int i = 0; i + 1 < count; ++i) { // a pair that was added for another channel value
         const auto same = [&](int a, int b) {
@@ -151,13 +151,13 @@ float QxfSketcher::between(Wheel& wheel, SlotWish wish) {
             const ColorCie& y = wheel.slots[static_cast<std::size_t>(b)].color;
             return x.x == y.x && x.y == y.y && x.Y == y.Y;
         };
-        if ((same(i, wish.first) && same(i + 1, wish.second)) ||
-            (same(i, wish.second) && same(i + 1, wish.first)))
+        if ((same(i, request.first) && same(i + 1, request.second)) ||
+            (same(i, request.second) && same(i + 1, request.first)))
             return static_cast<float>(i) + 0.5f;
     }
     if (wheel.slots.size() + 2 > kMaxSlots) return static_cast<float>(low);
-    wheel.slots.push_back(wheel.slots[static_cast<std::size_t>(wish.first)]);
-    wheel.slots.push_back(wheel.slots[static_cast<std::size_t>(wish.second)]);
+    wheel.slots.push_back(wheel.slots[static_cast<std::size_t>(request.first)]);
+    wheel.slots.push_back(wheel.slots[static_cast<std::size_t>(request.second)]);
     return static_cast<float>(count) + 0.5f;
 }
 
@@ -180,24 +180,25 @@ void QxfSketcher::make_wheel() {
         if (index >= 0) wheel = type.wheels[static_cast<std::size_t>(index)];
     }
     wheel.name = channel_.name;
-    std::vector<SlotWish> request;
+    std::vector<SlotRequest> requests;
     std::vector<float> halves;
     const std::vector<QxfCapability> ranges = capabilities();
     for (const QxfCapability& capability : ranges) {
-        SlotWish wish;
+        SlotRequest request;
         const bool turns = sketch_.subject != Subject::prism && wheel_turns(capability);
         if (!turns && (capability.preset.empty() || capability.preset.find("Macro") != std::string::npos ||
                        capability.preset.starts_with("Prism") || sketch_.subject == Subject::prism)) {
-            if (sketch_.subject == Subject::colour) wish = wish_colour(wheel, capability);
-            if (sketch_.subject == Subject::gobo) wish = wish_gobo(wheel, capability);
-            if (sketch_.subject == Subject::prism) wish = wish_prism(wheel, capability);
+            if (sketch_.subject == Subject::colour) request = request_colour(wheel, capability);
+            if (sketch_.subject == Subject::gobo) request = request_gobo(wheel, capability);
+            if (sketch_.subject == Subject::prism) request = request_prism(wheel, capability);
         }
-        request.push_back(wish);
+        requests.push_back(request);
     }
-    for (const SlotWish& wish : request)
-        halves.push_back(wish.second >= 0 && wish.second != wish.first ? between(wheel, wish) : -1.0f);
+    for (const SlotRequest& request : requests)
+        halves.push_back(request.second >= 0 && request.second != request.first ? between(wheel, request)
+                                                                                : -1.0f);
     sketch_.slots =
-        std::any_of(request.begin(), request.end(), [](SlotWish wish) { return wish.first >= 0; });
+        std::any_of(requests.begin(), requests.end(), [](SlotRequest request) { return request.first >= 0; });
     if (known == reader_.wheels.end()) {
         if (!wheel.slots.empty()) {
             index = static_cast<int>(type.wheels.size());
@@ -213,8 +214,8 @@ void QxfSketcher::make_wheel() {
         if (halves[i] >= 0.0f) {
             const float degrees = 360.0f * halves[i] / count;
             add(capability, "Color#WheelIndex", {degrees, degrees});
-        } else if (request[i].first >= 0) {
-            add_slot(capability, attribute, request[i].first);
+        } else if (requests[i].first >= 0) {
+            add_slot(capability, attribute, requests[i].first);
         } else if (sketch_.subject != Subject::prism && wheel_turns(capability)) {
             convert_turn(capability, "", attribute + "WheelSpin", 1.0f, kSlowWheel_deg_s, kFastWheel_deg_s);
         } else {

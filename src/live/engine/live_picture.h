@@ -76,12 +76,12 @@ private:
     PictureProbe& probe_;
     std::array<Pace, 2> paces_{Pace(0), Pace(0)}; // of a camera that stands, and of one that flies
     render::HazeQuality haze_;                    // of the relighter
-    glm::ivec2 whole_{0}, whole_for_{0}; // pixels that memory holds of those that are wanted; of which wish
-    scene::Camera from_;                 // of the one that was drawn last
-    bool sees_else_ = false;             // since then
-    bool is_unusual_ = false;            // it has another size, or a camera that begins or ends to fly
-    double flew_s_ = -1;                 // when its camera moved last
-    bool flies_ = false;                 // drawn as Session::look_from says
+    glm::ivec2 whole_{0}, whole_for_{0};          // pixels that memory holds; of those that are wanted
+    scene::Camera from_;                          // of the one that was drawn last
+    bool sees_else_ = false;                      // since then
+    bool is_unusual_ = false; // it has another size, or a camera that begins or ends to fly
+    double flew_s_ = -1;      // when its camera moved last
+    bool flies_ = false;      // drawn as Session::look_from says
     float work_lux_ = 0;
     double light_ms_ = 0; // of a light that turns, where many do; 0: not known
 };

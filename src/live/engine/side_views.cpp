@@ -16,7 +16,7 @@ constexpr int kSideWidth = 854, kSideHeight = 480;
 
 } // namespace
 
-void SideViews::take_wishes() {
+void SideViews::take_requests() {
     auto wanted = link_.side_views.take();
     if (!wanted) return;
     if (wanted->size() > ui::kMostSideViews) wanted->resize(ui::kMostSideViews);
@@ -47,7 +47,7 @@ void SideViews::take_wishes() {
 
 void SideViews::draw(const Session& session, const scene::FrameLights& lit, const Now& now,
                      PictureProbe& probe, const std::function<bool()>& stop) {
-    take_wishes();
+    take_requests();
     const bool is_still = session.device->is_cpu();
     if (is_still ? !now.rests : !now.is_whole || now.now_s < may_go_s_) return;
     for (std::size_t step = 1; step <= sides_.size(); ++step) {

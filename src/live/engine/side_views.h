@@ -40,7 +40,7 @@ private:
         ui::SidePicture drawn;    // number 0: none
         double of_changed_s = -1; // Now::changed_s then
     };
-    void take_wishes();
+    void take_requests();
     ui::SideMeasure measure(const Side& side, scene::Camera camera, const Session& session,
                             const scene::FrameLights& lit, PictureProbe& probe) const;
     void publish();

@@ -68,7 +68,7 @@ std::optional<rdm::Nack> RdmDesk::want(const rdm::Change& change) {
     std::optional<rdm::Nack> why;
     if (fixture == fixtures_.end())
         why = rdm::Nack::write_protect;
-    else if (wanted_.size() >= ui::kMostRdmWishes)
+    else if (wanted_.size() >= ui::kMostRdmEdits)
         why = rdm::Nack::buffer_full;
     else if (change.what != rdm::Change::What::identify)
         why = edit(change, fixture->second);
@@ -86,7 +86,7 @@ std::optional<rdm::Nack> RdmDesk::want(const rdm::Change& change) {
 // What is so already is no edit.
 std::optional<rdm::Nack> RdmDesk::edit(const rdm::Change& change, const Known& fixture) {
     if (access_ != ui::RdmAccess::edit) return rdm::Nack::write_protect;
-    if (number_ - answered_ >= ui::kMostRdmWishes) return rdm::Nack::buffer_full;
+    if (number_ - answered_ >= ui::kMostRdmEdits) return rdm::Nack::buffer_full;
     const rdm::Device* const device = node_.find(change.uid);
     if (!device) return rdm::Nack::write_protect;
     const auto waits = pending_.find(change.uid);

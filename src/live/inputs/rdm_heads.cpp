@@ -17,7 +17,7 @@ constexpr double kFlash_s = 1;        // half of it lit
 void RdmHeads::begin(bool is_another) {
     if (is_another) {
         desk_.forget();
-        (void)link_.rdm_wishes.take(); // of the show before
+        (void)link_.rdm_edits.take(); // of the show before
     }
     shining_.clear();
     is_known_ = false;
@@ -36,7 +36,7 @@ void RdmHeads::step(const ui::ViewRequest& request, bool is_up_to_date, const sc
             is_known_ = false;
         }
         if (!std::exchange(is_known_, true)) desk_.update(show, states, answered_);
-        send_wishes();
+        send_edits();
     }
     identified_ = desk_.identified();
     if (now_s - turned_s_ < kTurnEvery_s) return;
@@ -49,27 +49,27 @@ void RdmHeads::step(const ui::ViewRequest& request, bool is_up_to_date, const sc
     link_.on_news();
 }
 
-void RdmHeads::send_wishes() {
+void RdmHeads::send_edits() {
     for (const RdmDesk::Wanted& wanted : desk_.take()) {
         if (wanted.number == 0) continue; // identify: the bodies say so
-        ui::RdmWish wish;
-        wish.number = wanted.number;
-        wish.fixture = wanted.fixture;
-        wish.name = wanted.name;
+        ui::RdmEdit asked;
+        asked.number = wanted.number;
+        asked.fixture = wanted.fixture;
+        asked.name = wanted.name;
         switch (wanted.change.what) {
         case rdm::Change::What::start_address:
-            wish.address = wanted.change.number;
+            asked.address = wanted.change.number;
             break;
         case rdm::Change::What::personality:
-            wish.mode = wanted.change.number - 1u;
+            asked.mode = wanted.change.number - 1u;
             break;
         case rdm::Change::What::label:
-            wish.label = wanted.change.label;
+            asked.label = wanted.change.label;
             break;
         case rdm::Change::What::identify:
             break;
         }
-        (void)link_.rdm_wishes.put(std::move(wish)); // as many as the desk was granted
+        (void)link_.rdm_edits.put(std::move(asked)); // as many as the desk was granted
         link_.on_news();
     }
 }

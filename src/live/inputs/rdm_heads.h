@@ -31,7 +31,7 @@ public:
     bool identifies() const { return !identified_.empty(); }
 
 private:
-    void send_wishes();
+    void send_edits();
 
     ui::Link& link_;
     RdmDesk desk_;

@@ -24,11 +24,6 @@ bool placeable(const glm::mat4& m) {
     return image::is_finite(m) && std::abs(glm::determinant(glm::mat3(m))) > kLeastVolume;
 }
 
-glm::vec3 unit_or(const glm::vec3& v, const glm::vec3& fallback) {
-    const float length2 = glm::dot(v, v);
-    return length2 > 1e-20f && std::isfinite(length2) ? v / std::sqrt(length2) : fallback;
-}
-
 std::array<std::int16_t, 4> to_signed(const glm::vec4& v) {
     std::array<std::int16_t, 4> out{};
     for (int k = 0; k < 4; ++k)
@@ -66,7 +61,7 @@ std::vector<glm::vec4> make_tangents(const scene::Mesh& mesh) {
         const glm::vec2 d1 = mesh.uvs[i[1]] - mesh.uvs[i[0]];
         const glm::vec2 d2 = mesh.uvs[i[2]] - mesh.uvs[i[0]];
         const float sign = d1.x * d2.y - d1.y * d2.x < 0.0f ? -1.0f : 1.0f;
-        const glm::vec3 tangent = unit_or(sign * (e1 * d2.y - e2 * d1.y), glm::vec3(0.0f));
+        const glm::vec3 tangent = image::unit_or(sign * (e1 * d2.y - e2 * d1.y), glm::vec3(0.0f));
         const glm::vec3 bitangent = -sign * (e2 * d1.x - e1 * d2.x);
         for (int c = 0; c < 3; ++c) {
             along[i[c]] += tangent;
@@ -75,7 +70,7 @@ std::vector<glm::vec4> make_tangents(const scene::Mesh& mesh) {
     }
     std::vector<glm::vec4> tangents;
     for (std::size_t v = 0; v < along.size(); ++v)
-        tangents.emplace_back(unit_or(along[v], glm::vec3(0.0f)), hand[v] < 0.0f ? -1.0f : 1.0f);
+        tangents.emplace_back(image::unit_or(along[v], glm::vec3(0.0f)), hand[v] < 0.0f ? -1.0f : 1.0f);
     return tangents;
 }
 
@@ -139,11 +134,11 @@ void StageModel::add_meshes(const scene::Stage& stage, Report& report) {
                                                mesh.positions[i[2]] - mesh.positions[i[0]]);
             // Not finite, or a line: it covers nothing.
             if (!image::is_finite(cross) || glm::dot(cross, cross) == 0.0f) continue;
-            const glm::vec3 facet = unit_or(cross, glm::vec3(0, 0, 1));
+            const glm::vec3 facet = image::unit_or(cross, glm::vec3(0, 0, 1));
             // Files disagree about winding, so only the normals say which side is the front.
             float facing = 0.0f;
             for (int c = 0; c < 3; ++c) {
-                facing += glm::dot(unit_or(mesh.normals[i[c]], facet), facet);
+                facing += glm::dot(image::unit_or(mesh.normals[i[c]], facet), facet);
                 made.low_m = glm::min(made.low_m, mesh.positions[i[c]]);
                 made.high_m = glm::max(made.high_m, mesh.positions[i[c]]);
                 facets[i[c]] = facet;
@@ -167,10 +162,10 @@ void StageModel::add_meshes(const scene::Stage& stage, Report& report) {
         for (std::size_t v = 0; v < count; ++v) {
             StageVertex vertex;
             vertex.position_m = sane(mesh.positions[v]);
-            vertex.normal = to_signed(glm::vec4(unit_or(mesh.normals[v], facets[v]), 0.0f));
+            vertex.normal = to_signed(glm::vec4(image::unit_or(mesh.normals[v], facets[v]), 0.0f));
             const glm::vec4 tangent = !bumps ? glm::vec4(0) : has_tangents ? mesh.tangents[v] : tangents[v];
-            vertex.tangent = to_signed(
-                glm::vec4(unit_or(glm::vec3(tangent), glm::vec3(0.0f)), tangent.w < 0.0f ? -1.0f : 1.0f));
+            vertex.tangent = to_signed(glm::vec4(image::unit_or(glm::vec3(tangent), glm::vec3(0.0f)),
+                                                 tangent.w < 0.0f ? -1.0f : 1.0f));
             if (textured) vertex.uv = {sane(mesh.uvs[v].x, 0.0f), sane(mesh.uvs[v].y, 0.0f)};
             vertices.push_back(vertex);
         }
@@ -188,7 +183,7 @@ void StageModel::add_levels(const scene::Mesh& mesh, const std::vector<glm::vec3
     std::vector<glm::vec3> positions_m, normals;
     for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
         positions_m.push_back(sane(mesh.positions[v]));
-        normals.push_back(unit_or(mesh.normals[v], facets[v]));
+        normals.push_back(image::unit_or(mesh.normals[v], facets[v]));
     }
     const bool is_textured =
         surfaces_[made.surface].textures != 0 && mesh.uvs.size() == mesh.positions.size();

@@ -32,7 +32,7 @@ Result<void> set_bounce(AppModel& app, ShowDocument& document, scene::BounceDeta
 
 void stop_bounce(AppModel& app, bool stops) {
     if (app.request().stops_bounce != stops)
-        app.wish([&](ViewRequest& request) { request.stops_bounce = stops; });
+        app.change_request([&](ViewRequest& request) { request.stops_bounce = stops; });
 }
 
 QString words_of(const BounceNow& bounce) {

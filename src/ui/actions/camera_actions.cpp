@@ -203,7 +203,7 @@ void add_camera_actions(Actions& actions, AppModel& app) {
                      const QString word = words.value(0, app.request().takes_baked ? "off" : "on");
                      if (word != "on" && word != "off")
                          return Error{"'" + word.toStdString() + "' is neither on nor off", ""};
-                     app.wish([&](ViewRequest& request) { request.takes_baked = word == "on"; });
+                     app.change_request([&](ViewRequest& request) { request.takes_baked = word == "on"; });
                      return {};
                  },
                  [&app] { return app.request().takes_baked; }});

@@ -77,7 +77,7 @@ Result<void> CueList::call(std::size_t index, Place place) {
             app_.cut_to(app_.show()->cameras[camera]);
     }
     if (cue.at_s && place == Place::goes_there)
-        app_.wish([&](ViewRequest& request) {
+        app_.change_request([&](ViewRequest& request) {
             ++request.transport.seeks;
             request.transport.at_s = *cue.at_s;
         });

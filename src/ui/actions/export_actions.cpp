@@ -18,54 +18,54 @@ QString farm_of(QStringList& words) {
 }
 
 Result<void> bake(Exporter& exporter, QStringList words) {
-    BakeWish wish;
-    wish.farm = farm_of(words);
-    wish.camera = words.value(0) == "all" ? QString() : words.value(0);
+    BakeRequest request;
+    request.farm = farm_of(words);
+    request.camera = words.value(0) == "all" ? QString() : words.value(0);
     if (words.size() > 1) {
         TRY(const double spp, number_of(words, 1, "number of samples per pixel", 1, 1024));
-        wish.spp = static_cast<int>(spp);
+        request.spp = static_cast<int>(spp);
     }
     if (words.size() > 2) {
         TRY(const double bounces, number_of(words, 2, "number of bounces", 0, 16));
-        wish.bounces = static_cast<int>(bounces);
+        request.bounces = static_cast<int>(bounces);
     }
-    TRY_VOID(exporter.bake(wish));
+    TRY_VOID(exporter.bake(request));
     return {};
 }
 
 Result<void> still(Exporter& exporter, const QStringList& words) {
-    PictureWish wish;
-    wish.file = words.value(0);
+    PictureRequest request;
+    request.file = words.value(0);
     if (words.size() > 1) {
         if (const Result<QSize> size = size_of(words[1]); size.ok()) {
-            wish.width = size->width();
-            wish.height = size->height();
+            request.width = size->width();
+            request.height = size->height();
         } else if (words[1].contains('x') && words[1][0].isDigit()) {
             return size.error();
         } else {
-            wish.camera = words[1];
+            request.camera = words[1];
         }
     }
-    TRY_VOID(exporter.render(wish));
+    TRY_VOID(exporter.render(request));
     return {};
 }
 
 Result<void> film(Exporter& exporter, QStringList words) {
-    PictureWish wish;
-    wish.farm = farm_of(words);
-    wish.file = words.value(0);
-    TRY(wish.from_s, number_of(words, 1, "first second", 0, kLongest_s));
-    TRY(wish.to_s, number_of(words, 2, "last second", 0, kLongest_s));
+    PictureRequest request;
+    request.farm = farm_of(words);
+    request.file = words.value(0);
+    TRY(request.from_s, number_of(words, 1, "first second", 0, kLongest_s));
+    TRY(request.to_s, number_of(words, 2, "last second", 0, kLongest_s));
     if (words.size() > 3) {
         TRY(const double fps, number_of(words, 3, "number of pictures a second", 1, 240));
-        wish.fps = static_cast<int>(fps);
+        request.fps = static_cast<int>(fps);
     }
     if (words.size() > 4) {
         TRY(const QSize size, size_of(words[4]));
-        wish.width = size.width();
-        wish.height = size.height();
+        request.width = size.width();
+        request.height = size.height();
     }
-    TRY_VOID(exporter.render(wish));
+    TRY_VOID(exporter.render(request));
     return {};
 }
 

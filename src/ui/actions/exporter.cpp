@@ -110,32 +110,33 @@ Result<QStringList> Exporter::look_arguments(bool for_farm) {
                        "--look", kLookName};
 }
 
-Result<int> Exporter::bake(const BakeWish& wish) {
+Result<int> Exporter::bake(const BakeRequest& request) {
     TRY(const QString show, show_file());
     QStringList words{
-        "bake", show, "--spp", QString::number(wish.spp), "--bounces", QString::number(wish.bounces)};
-    if (!wish.camera.isEmpty()) {
-        TRY_VOID(app_.show()->find_camera(wish.camera.toStdString()));
-        words << "--view" << wish.camera;
+        "bake", show, "--spp", QString::number(request.spp), "--bounces", QString::number(request.bounces)};
+    if (!request.camera.isEmpty()) {
+        TRY_VOID(app_.show()->find_camera(request.camera.toStdString()));
+        words << "--view" << request.camera;
     }
-    QString title = wish.camera.isEmpty() ? translated("Jobs", "Bake all cameras")
-                                          : translated("Jobs", "Bake %1").arg(wish.camera);
-    give_to_farm(wish.farm, words, title);
+    QString title = request.camera.isEmpty() ? translated("Jobs", "Bake all cameras")
+                                             : translated("Jobs", "Bake %1").arg(request.camera);
+    give_to_farm(request.farm, words, title);
     return app_.jobs().start(title, words);
 }
 
-Result<int> Exporter::render(const PictureWish& wish) {
-    const bool is_film = wish.from_s >= 0;
-    TRY_VOID(check_file(wish.file, is_film ? QStringList{"mp4", "png", "exr"} : QStringList{"png", "exr"}));
+Result<int> Exporter::render(const PictureRequest& request) {
+    const bool is_film = request.from_s >= 0;
+    TRY_VOID(
+        check_file(request.file, is_film ? QStringList{"mp4", "png", "exr"} : QStringList{"png", "exr"}));
     TRY(const QString show, show_file());
-    QStringList words{"render", show, "-o", QFileInfo(wish.file).absoluteFilePath()};
-    if (wish.camera.isEmpty()) {
+    QStringList words{"render", show, "-o", QFileInfo(request.file).absoluteFilePath()};
+    if (request.camera.isEmpty()) {
         words += eye_arguments();
-        words << "--size" << QString("%1x%2").arg(wish.width).arg(wish.height) << "--supersample"
-              << QString::number(wish.supersample);
+        words << "--size" << QString("%1x%2").arg(request.width).arg(request.height) << "--supersample"
+              << QString::number(request.supersample);
     } else {
-        TRY_VOID(app_.show()->find_camera(wish.camera.toStdString()));
-        words << "--view" << wish.camera;
+        TRY_VOID(app_.show()->find_camera(request.camera.toStdString()));
+        words << "--view" << request.camera;
     }
     words += tone_arguments();
     const std::string& played = app_.request().recording;
@@ -143,21 +144,21 @@ Result<int> Exporter::render(const PictureWish& wish) {
     if (!played.empty()) words << "--replay" << QString::fromStdString(played);
     if (is_film) {
         if (!plays) return Error{"a film shows the recording of the show, and it has none", ""};
-        if (wish.to_s <= wish.from_s) return Error{"the film must end after it begins", ""};
-        words << "--from" << QString::number(wish.from_s) << "--to" << QString::number(wish.to_s) << "--fps"
-              << QString::number(wish.fps);
+        if (request.to_s <= request.from_s) return Error{"the film must end after it begins", ""};
+        words << "--from" << QString::number(request.from_s) << "--to" << QString::number(request.to_s)
+              << "--fps" << QString::number(request.fps);
     } else if (plays) {
         words << "--at" << QString::number(app_.rig().at_s);
     }
-    TRY(const QStringList look, look_arguments(!wish.farm.isEmpty()));
+    TRY(const QStringList look, look_arguments(!request.farm.isEmpty()));
     if (!plays && look.isEmpty())
         return Error{"nothing lights the picture: the show has no recording and nothing is set by hand; "
                      "'save-picture' saves what a desk does now",
                      ""};
     words += look;
     QString title = (is_film ? translated("Jobs", "Film %1") : translated("Jobs", "Still %1"))
-                        .arg(QFileInfo(wish.file).fileName());
-    give_to_farm(wish.farm, words, title);
+                        .arg(QFileInfo(request.file).fileName());
+    give_to_farm(request.farm, words, title);
     return app_.jobs().start(title, words);
 }
 

@@ -15,14 +15,14 @@
 
 namespace ghost::ui {
 
-struct BakeWish {
+struct BakeRequest {
     QString camera; // empty: all
     int spp = 16;
     int bounces = 0;
     QString farm; // empty: none; else as --farm takes it
 };
 
-struct PictureWish {
+struct PictureRequest {
     QString file;
     QString camera; // empty: as the window sees it, drawn live; else from the passes of that camera
     int width = 1920, height = 1080; // where it is drawn live; passes have their own size
@@ -41,8 +41,8 @@ public:
     Exporter(AppModel& app, ShowDocument& document);
 
     // Each gives the number of its job.
-    Result<int> bake(const BakeWish& wish);
-    Result<int> render(const PictureWish& wish);
+    Result<int> bake(const BakeRequest& request);
+    Result<int> render(const PictureRequest& request);
     Result<int> sheet(const QString& file, int width, int height);
     // command: "paper" or "book", with its own options.
     Result<int> print(const QString& command, const QString& folder, const QStringList& options);

@@ -36,11 +36,11 @@ Result<HeadValue> value_now(const AppModel& app, std::size_t head, const std::st
                  ""};
 }
 
-HeadValue between(const FanWish& wish, const HeadValue& a, const HeadValue& b, std::size_t number,
+HeadValue between(const FanRequest& request, const HeadValue& a, const HeadValue& b, std::size_t number,
                   std::size_t count) {
     const auto* const colour = std::get_if<glm::vec3>(&a);
-    if (!colour) return fanned(wish.fan, std::get<float>(a), std::get<float>(b), number, count);
-    const glm::vec3 mixed = fanned(wish.fan, *colour, std::get<glm::vec3>(b), number, count);
+    if (!colour) return fanned(request.fan, std::get<float>(a), std::get<float>(b), number, count);
+    const glm::vec3 mixed = fanned(request.fan, *colour, std::get<glm::vec3>(b), number, count);
     return mixed / std::max({mixed.x, mixed.y, mixed.z, 1e-4f}); // as a filter by hand is
 }
 
@@ -86,24 +86,24 @@ Result<std::size_t> one_of(const QString& word, const std::array<const char*, Co
 
 Result<void> fan_by_words(AppModel& app, const QStringList& words) {
     TRY_VOID(need_selection(app));
-    FanWish wish;
-    TRY(wish.word, head_word(app, words.value(0)));
+    FanRequest request;
+    TRY(request.word, head_word(app, words.value(0)));
     const bool is_between = words.value(1) == "between";
     const int at = is_between ? 2 : 4; // where the order stands
     if (!is_between && words.size() > 3) {
         TRY(const std::size_t fan, one_of(words[3], kFans));
-        wish.fan = static_cast<Fan>(fan);
+        request.fan = static_cast<Fan>(fan);
     }
     if (words.size() > at) {
         TRY(const std::size_t order, one_of(words[at], kHeadOrders));
-        wish.order = static_cast<HeadOrder>(order);
+        request.order = static_cast<HeadOrder>(order);
     }
     if (!is_between) {
-        TRY(const HeadValue a, value_from(words, 1, wish.word, wish.fan));
-        TRY(const HeadValue b, value_from(words, 2, wish.word, wish.fan));
-        wish.values = {a, b};
+        TRY(const HeadValue a, value_from(words, 1, request.word, request.fan));
+        TRY(const HeadValue b, value_from(words, 2, request.word, request.fan));
+        request.values = {a, b};
     }
-    return fan_selected(app, wish);
+    return fan_selected(app, request);
 }
 
 // Everything that hands set of it, by words.
@@ -146,23 +146,23 @@ Result<void> align_by_words(AppModel& app, const QStringList& words) {
 
 } // namespace
 
-Result<void> fan_selected(AppModel& app, const FanWish& wish) {
-    TRY(const std::vector<std::size_t> heads, heads_with(app, wish.word, wish.order));
-    if (wish.word == "colour" && wish.fan == Fan::centre)
+Result<void> fan_selected(AppModel& app, const FanRequest& request) {
+    TRY(const std::vector<std::size_t> heads, heads_with(app, request.word, request.order));
+    if (request.word == "colour" && request.fan == Fan::centre)
         return Error{"colours go from one to the other (line or symmetric), not to both sides of one", ""};
     HeadValue a, b;
-    if (wish.values) {
-        std::tie(a, b) = *wish.values;
+    if (request.values) {
+        std::tie(a, b) = *request.values;
     } else {
-        TRY(a, value_now(app, heads.front(), wish.word));
-        TRY(b, value_now(app, heads.back(), wish.word));
+        TRY(a, value_now(app, heads.front(), request.word));
+        TRY(b, value_now(app, heads.back(), request.word));
     }
     Look look = app.look();
     for (std::size_t k = 0; k < heads.size(); ++k)
-        set_value(app.show()->fixtures[heads[k]], wish.word, between(wish, a, b, k, heads.size()),
+        set_value(app.show()->fixtures[heads[k]], request.word, between(request, a, b, k, heads.size()),
                   look.fixtures[heads[k]]);
-    app.set_look(std::move(look), translated("Undo", "fan %1").arg(QString::fromStdString(wish.word)),
-                 step_of(wish.word));
+    app.set_look(std::move(look), translated("Undo", "fan %1").arg(QString::fromStdString(request.word)),
+                 step_of(request.word));
     return {};
 }
 

@@ -16,14 +16,14 @@ namespace ghost::ui {
 // Words of ui/model/head_values.h that every head is asked for; beside them there are attributes.
 inline constexpr std::array<const char*, 6> kHeadWords{"intensity", "zoom", "pan", "tilt", "gobo", "colour"};
 
-struct FanWish {
+struct FanRequest {
     std::string word;
     std::optional<std::pair<HeadValue, HeadValue>> values; // none: those of the first and of the last head
     Fan fan = Fan::line;
     HeadOrder order = HeadOrder::selection;
 };
 // Of the selected heads that have such a value. Error: none has, or there is nothing to begin with.
-Result<void> fan_selected(AppModel& app, const FanWish& wish);
+Result<void> fan_selected(AppModel& app, const FanRequest& request);
 
 enum class AlignTo { first, last };
 // All of them get the value of the first or the last one that was selected; word "all": everything that hands

@@ -25,14 +25,14 @@ Result<void> record(AppModel& app, const QStringList& words) {
     const bool ends = words.isEmpty() ? runs : words[0] == "off";
     if (!ends && runs) return Error{"a recording runs; 'record off' ends it", app.request().record_to};
     const std::string file = ends ? "" : words.isEmpty() ? new_recording(app) : words[0].toStdString();
-    app.wish([&](ViewRequest& request) { request.record_to = file; });
+    app.change_request([&](ViewRequest& request) { request.record_to = file; });
     return {};
 }
 
 Result<void> play_file(AppModel& app, const std::string& file) {
     // What is no recording must not stop the one that plays.
     if (!file.empty()) TRY_VOID(dmx::read_recording(file));
-    app.wish([&](ViewRequest& request) {
+    app.change_request([&](ViewRequest& request) {
         request.recording = file;
         request.input = Input::recording;
         request.transport.playing = true;
@@ -85,7 +85,8 @@ void add_play_actions(Actions& actions, AppModel& app) {
                      const QString word = words.value(0, plays ? "off" : "on");
                      if (word != "on" && word != "off")
                          return Error{"'" + word.toStdString() + "' is neither on nor off", ""};
-                     app.wish([&](ViewRequest& request) { request.transport.playing = word == "on"; });
+                     app.change_request(
+                         [&](ViewRequest& request) { request.transport.playing = word == "on"; });
                      return {};
                  },
                  [&app] { return app.request().transport.playing; }});
@@ -94,12 +95,12 @@ void add_play_actions(Actions& actions, AppModel& app) {
                      const QString word = words.value(0, app.request().frozen ? "off" : "on");
                      if (word != "on" && word != "off")
                          return Error{"'" + word.toStdString() + "' is neither on nor off", ""};
-                     app.wish([&](ViewRequest& request) { request.frozen = word == "on"; });
+                     app.change_request([&](ViewRequest& request) { request.frozen = word == "on"; });
                      return {};
                  },
                  [&app] { return app.request().frozen; }});
     const auto jump = [&app](double at_s) {
-        app.wish([&](ViewRequest& request) {
+        app.change_request([&](ViewRequest& request) {
             ++request.transport.seeks;
             request.transport.at_s = at_s;
         });
@@ -128,7 +129,7 @@ void add_play_actions(Actions& actions, AppModel& app) {
                          TRY(to_s, number_of(words, 1, "last second", 0, 1e7));
                          if (to_s <= from_s) return Error{"it must end after it begins", ""};
                      }
-                     app.wish([&](ViewRequest& request) {
+                     app.change_request([&](ViewRequest& request) {
                          request.transport.loop_from_s = from_s;
                          request.transport.loop_to_s = to_s;
                      });
@@ -151,7 +152,7 @@ void add_play_actions(Actions& actions, AppModel& app) {
           std::tuple{"recording", translated("Action", "The recording of the show"), Input::recording}}) {
         actions.add({QString("input-") + name, "Play", text, "", "",
                      [&app, wanted = wanted](const QStringList&) -> Result<void> {
-                         app.wish([&](ViewRequest& request) { request.input = wanted; });
+                         app.change_request([&](ViewRequest& request) { request.input = wanted; });
                          return {};
                      },
                      [&app, wanted = wanted] { return app.request().input == wanted; }});
@@ -163,7 +164,8 @@ void add_play_actions(Actions& actions, AppModel& app) {
                  "PICTURES-PER-SECOND",
                  [&app](const QStringList& words) -> Result<void> {
                      TRY(const double fps, number_of(words, 0, "number of pictures a second", 1, 240));
-                     app.wish([&](ViewRequest& request) { request.quality.fps = static_cast<int>(fps); });
+                     app.change_request(
+                         [&](ViewRequest& request) { request.quality.fps = static_cast<int>(fps); });
                      return {};
                  },
                  {}});
@@ -171,7 +173,7 @@ void add_play_actions(Actions& actions, AppModel& app) {
         actions.add({QString("fps-%1").arg(fps), "Quality",
                      translated("Action", "%1 pictures a second").arg(fps), "", "",
                      [&app, fps](const QStringList&) -> Result<void> {
-                         app.wish([&](ViewRequest& request) { request.quality.fps = fps; });
+                         app.change_request([&](ViewRequest& request) { request.quality.fps = fps; });
                          return {};
                      },
                      [&app, fps] { return app.request().quality.fps == fps; }});
@@ -184,7 +186,7 @@ void add_play_actions(Actions& actions, AppModel& app) {
                  [&app](const QStringList& words) -> Result<void> {
                      TRY(const double percent,
                          number_of(words, 0, "share of the pixels in percent, 0 for automatic,", 0, 100));
-                     app.wish(
+                     app.change_request(
                          [&](ViewRequest& request) { request.quality.percent = static_cast<int>(percent); });
                      return {};
                  },
@@ -195,7 +197,7 @@ void add_play_actions(Actions& actions, AppModel& app) {
                                   : translated("Action", "%1 % of the pixels").arg(percent),
                      percent == 0 ? "Ctrl+0" : "", "",
                      [&app, percent](const QStringList&) -> Result<void> {
-                         app.wish([&](ViewRequest& request) { request.quality.percent = percent; });
+                         app.change_request([&](ViewRequest& request) { request.quality.percent = percent; });
                          return {};
                      },
                      [&app, percent] { return app.request().quality.percent == percent; }});

@@ -114,7 +114,7 @@ Result<void> set_motion(AppModel& app, const QString& word) {
                                                                   : fixture::Motion::as_the_machine)
                                        : fixture::motion_from(word.toStdString());
     if (!motion) return Error{"'" + word.toStdString() + "' is neither commanded nor machine", ""};
-    app.wish([&](ViewRequest& request) { request.motion = motion; });
+    app.change_request([&](ViewRequest& request) { request.motion = motion; });
     return {};
 }
 

@@ -18,14 +18,14 @@ void add_tone_actions(Actions& actions, AppModel& app) {
                      if (!words.isEmpty()) {
                          TRY(tone, image::tone_from(words[0].toStdString()));
                      }
-                     app.wish([&](ViewRequest& request) { request.tone = tone; });
+                     app.change_request([&](ViewRequest& request) { request.tone = tone; });
                      return {};
                  },
                  {}});
     const auto add = [&](const QString& text, image::Tone tone) {
         actions.add({"tone-" + QString::fromStdString(image::name_of(tone)), "Camera", text, "", "",
                      [&app, tone](const QStringList&) -> Result<void> {
-                         app.wish([&](ViewRequest& request) { request.tone = tone; });
+                         app.change_request([&](ViewRequest& request) { request.tone = tone; });
                          return {};
                      },
                      [&app, tone] { return app.request().tone == tone; }});

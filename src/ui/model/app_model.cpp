@@ -103,7 +103,7 @@ void AppModel::read_news() {
         rdm_ = std::move(*news);
         Q_EMIT rdm_came();
     }
-    for (const RdmWish& wish : link_.rdm_wishes.take()) Q_EMIT rdm_wished(wish);
+    for (const RdmEdit& asked : link_.rdm_edits.take()) Q_EMIT rdm_edit_asked(asked);
     if (auto news = link_.probed.take(); news && request_.probe) {
         probed_ = std::move(*news);
         Q_EMIT probe_came();
@@ -115,7 +115,7 @@ void AppModel::read_news() {
     if (auto news = link_.recorded.take()) {
         recorded_ = std::move(*news);
         if (request_.record_to == recorded_.file)
-            wish([](ViewRequest& request) { request.record_to.clear(); });
+            change_request([](ViewRequest& request) { request.record_to.clear(); });
         Q_EMIT recording_ended();
     }
     if (auto news = link_.saved.take()) {
@@ -168,7 +168,7 @@ void AppModel::publish_looks(LooksNow looks) {
 
 std::uint64_t AppModel::pick(const glm::vec3& from_m, const glm::vec3& way) {
     const std::uint64_t number = request_.pick.number + 1;
-    wish([&](ViewRequest& request) { request.pick = {number, from_m, way}; });
+    change_request([&](ViewRequest& request) { request.pick = {number, from_m, way}; });
     return number;
 }
 
@@ -217,7 +217,7 @@ void AppModel::open(const std::string& show) {
     const std::string named = is_bare ? "./" + show : show;
     if (named == request_.show && !open_error_) return;
     open_error_.reset();
-    wish([&](ViewRequest& request) {
+    change_request([&](ViewRequest& request) {
         request.text.reset();
         request.show = named;
         ++request.opens;
@@ -226,7 +226,7 @@ void AppModel::open(const std::string& show) {
 
 void AppModel::set_camera(const scene::Camera& camera) {
     flight_.stop();
-    wish([&](ViewRequest& request) { request.camera = camera; });
+    change_request([&](ViewRequest& request) { request.camera = camera; });
 }
 
 std::optional<std::size_t> AppModel::stored_camera() const {
@@ -246,7 +246,7 @@ void AppModel::cut_to(const scene::Camera& stored) {
 
 // The size stays.
 void AppModel::put_camera(const scene::Camera& camera, const glm::ivec2& frame) {
-    wish([&](ViewRequest& request) {
+    change_request([&](ViewRequest& request) {
         request.frame = frame;
         const int width = request.camera.width, height = request.camera.height;
         request.camera = camera;
@@ -269,7 +269,7 @@ void AppModel::send_size() {
     const auto pixels = [](const QSize& size) { return qint64{size.width()} * size.height(); };
     const QSize size =
         !second_size_.isEmpty() && pixels(second_size_) > pixels(view_size_) ? second_size_ : view_size_;
-    wish([&](ViewRequest& request) {
+    change_request([&](ViewRequest& request) {
         request.camera.width = size.width();
         request.camera.height = size.height();
     });
@@ -305,7 +305,7 @@ void AppModel::look_at(const glm::vec3& centre_m, float radius_m) {
 
 void AppModel::set_exposure(float ev100, bool automatic) {
     flight_.set_exposure(ev100, automatic);
-    wish([&](ViewRequest& request) {
+    change_request([&](ViewRequest& request) {
         request.camera.ev100 = ev100;
         request.camera.auto_exposure = automatic;
     });
@@ -335,7 +335,7 @@ void AppModel::put_look(const Look& look) {
 void AppModel::show_look() {
     Look shown = fader_.on_the_way(look_, show().get(), rig_);
     if (show()) leave_solo(shown, show()->fixtures.size());
-    wish([&](ViewRequest& request) { request.look = std::move(shown); });
+    change_request([&](ViewRequest& request) { request.look = std::move(shown); });
 }
 
 void AppModel::put_edit(std::shared_ptr<const std::string> text, scene::Show preview, const Look& look,
@@ -343,7 +343,7 @@ void AppModel::put_edit(std::shared_ptr<const std::string> text, scene::Show pre
     opened_.show = std::make_shared<const scene::Show>(std::move(preview));
     opened_.is_edit = true;
     put_selection(std::move(selection));
-    wish([&](ViewRequest& request) {
+    change_request([&](ViewRequest& request) {
         request.text = std::move(text);
         request.look = look;
     });
@@ -356,7 +356,7 @@ void AppModel::put_edit(std::shared_ptr<const std::string> text, scene::Show pre
 void AppModel::show_edit() {
     patch_ = scene::PatchMap(*show());
     put_selection(selection_);
-    wish([&](ViewRequest& request) { request.explained = current(); });
+    change_request([&](ViewRequest& request) { request.explained = current(); });
     Q_EMIT opened_show();
     Q_EMIT selection_changed();
     Q_EMIT look_changed();
@@ -366,7 +366,7 @@ void AppModel::select(std::set<std::size_t> fixtures) {
     const std::set<std::size_t> before = selection_;
     put_selection(std::move(fixtures));
     if (selection_ == before) return;
-    wish([&](ViewRequest& request) { request.explained = current(); });
+    change_request([&](ViewRequest& request) { request.explained = current(); });
     Q_EMIT selection_changed();
 }
 
@@ -389,7 +389,7 @@ void AppModel::put_selection(std::set<std::size_t> fixtures) {
 void AppModel::hover(std::optional<std::size_t> fixture) {
     if (fixture == request_.hovered) return;
     hovered_.reset();
-    wish([&](ViewRequest& request) { request.hovered = fixture; });
+    change_request([&](ViewRequest& request) { request.hovered = fixture; });
 }
 
 void AppModel::mark(std::optional<std::size_t> object) {
@@ -410,7 +410,7 @@ void AppModel::send() {
     ++request_.number;
     link_.request.put(request_);
     link_.wake.raise();
-    Q_EMIT wishes_changed();
+    Q_EMIT request_changed();
 }
 
 } // namespace ghost::ui

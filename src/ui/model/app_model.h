@@ -1,7 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: Apache-2.0
 // AppModel: what all parts of the window share: the show that is open, the newest news of the engine, what is
-// selected, and what is wished for. Parts change it through its functions and hear of it through its signals;
+// selected, and what is asked for. Parts change it through its functions and hear of it through its signals;
 // they do not know each other. Every change of the look can be undone. Window thread.
 
 #include "diagnose/diagnosis.h"
@@ -47,14 +47,14 @@ public:
     const BounceNow& bounce() const { return bounce_; }
     const RdmNow& rdm() const { return rdm_; }
     const std::vector<float>& waveform() const { return waveform_; } // of the recording; empty: not known
-    const std::optional<Probed>& probed() const { return probed_; }  // of the place that is wished for
+    const std::optional<Probed>& probed() const { return probed_; }  // of the place that is asked for
     const Recorded& recorded() const { return recorded_; }           // the last one
     const std::vector<NamedPicture>& camera_pictures() const { return camera_pictures_; }
     std::uint64_t saved() const { return saved_; } // number of the picture that was saved last
     // Came from the network and may be taken; number 0: none yet.
     const ReceivedPlot& plot() const { return plot_; }
 
-    // What is wished for.
+    // What is asked for.
     const ViewRequest& request() const { return request_; }
     // As it is meant; while it fades, the request has one on the way there.
     const Look& look() const { return look_; }
@@ -96,7 +96,7 @@ public:
     void set_exposure(float ev100, bool automatic);
     // Changes nobody undoes: anything but the look.
     template <class F>
-    void wish(F&& f) {
+    void change_request(F&& f) {
         f(request_);
         send();
     }
@@ -133,7 +133,7 @@ public:
     // The one that panels are about: the first selected one.
     std::optional<std::size_t> current() const;
 
-    // Whether the picture shows all that is wished for, at rest.
+    // Whether the picture shows all that is asked for, at rest.
     bool is_settled() const {
         return show() && !is_opening() && !travels() && !fades() && settled_ == request_.number;
     }
@@ -152,7 +152,7 @@ Q_SIGNALS:
     void activity_came();
     void bounce_came();
     void rdm_came();
-    void rdm_wished(const RdmWish& wish); // by a desk
+    void rdm_edit_asked(const RdmEdit& asked); // by a desk
     void probe_came();
     void picked_came();
     void waveform_came();
@@ -161,7 +161,7 @@ Q_SIGNALS:
     void plot_came();
     void camera_pictures_came();
     void look_called(const QString& name, double seconds); // by a remote control; below 0: those of the look
-    void wishes_changed();
+    void request_changed();
     void look_changed();
     void selection_changed();
     void marked_changed();

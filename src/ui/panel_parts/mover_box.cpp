@@ -31,7 +31,7 @@ MoverBox::MoverBox(AppModel& app, QWidget* parent)
             [this](bool on) { Q_EMIT asks_for(on ? "motion machine" : "motion commanded"); });
     layout_->addWidget(as_machine_);
     connect(&app_, &AppModel::opened_show, this, &MoverBox::fill);
-    for (const auto signal : {&AppModel::look_changed, &AppModel::rig_came, &AppModel::wishes_changed})
+    for (const auto signal : {&AppModel::look_changed, &AppModel::rig_came, &AppModel::request_changed})
         connect(&app_, signal, this, &MoverBox::refresh);
     hide();
 }

@@ -82,7 +82,7 @@ RdmBox::RdmBox(AppModel& app, Actions& actions, QWidget* parent) : QWidget(paren
     layout->addLayout(line);
     layout->addWidget(words_);
     layout->addWidget(heads_);
-    connect(&app_, &AppModel::wishes_changed, this, &RdmBox::show_switch);
+    connect(&app_, &AppModel::request_changed, this, &RdmBox::show_switch);
     connect(&app_, &AppModel::rdm_came, this, &RdmBox::refresh);
     connect(&app_, &AppModel::opened_show, this, &RdmBox::refresh);
     refresh();

@@ -25,7 +25,7 @@ Waveform::Waveform(AppModel& app, QWidget* parent) : QWidget(parent), app_(app) 
         translated("Transport", "The recording: how much changes when, and where it is played"));
     setToolTip(translated(
         "Transport", "Click: go there. Shift+drag: play this part again and again, Shift+click: the whole."));
-    for (const auto signal : {&AppModel::rig_came, &AppModel::wishes_changed, &AppModel::waveform_came})
+    for (const auto signal : {&AppModel::rig_came, &AppModel::request_changed, &AppModel::waveform_came})
         connect(&app_, signal, this, qOverload<>(&QWidget::update));
 }
 
@@ -73,7 +73,7 @@ void Waveform::paintEvent(QPaintEvent*) {
 }
 
 void Waveform::seek(double second) {
-    app_.wish([&](ViewRequest& request) {
+    app_.change_request([&](ViewRequest& request) {
         ++request.transport.seeks;
         request.transport.at_s = second;
     });
@@ -82,7 +82,7 @@ void Waveform::seek(double second) {
 void Waveform::loop_to(double second) {
     const double from_s = std::min(mark_from_s_, second), to_s = std::max(mark_from_s_, second);
     const bool is_part = to_s - from_s >= kShortestLoop_s;
-    app_.wish([&](ViewRequest& request) {
+    app_.change_request([&](ViewRequest& request) {
         request.transport.loop_from_s = is_part ? from_s : 0;
         request.transport.loop_to_s = is_part ? to_s : 0;
     });

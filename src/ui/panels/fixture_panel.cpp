@@ -139,7 +139,7 @@ FixturePanel::FixturePanel(AppModel& app, ShowDocument& document, QWidget* paren
         if (dark_->isChecked()) list_groups();
     });
     connect(dark_, &QToolButton::toggled, this, [this](bool on) {
-        app_.wish([on](ViewRequest& request) { request.explains_all = on; });
+        app_.change_request([on](ViewRequest& request) { request.explains_all = on; });
         list_groups();
     });
     connect(group_, &QComboBox::activated, this, &FixturePanel::show_group);

@@ -33,7 +33,7 @@ LookPanel::LookPanel(AppModel& app, Looks& looks, Actions& actions, QWidget* par
     const auto name = [this] { return quoted(chosen()); };
     recall_ = add_button(translated("Looks", "Recall"), translated("Looks", "Fades to it"),
                          [=] { return "look-recall " + name(); });
-    auto* store = new QPushButton(translated("Looks", "Store what hands set"), this);
+    auto* store = new QPushButton(translated("Looks", "Store programmer"), this);
     store->setToolTip(translated("Looks", "As a new look"));
     connect(store, &QPushButton::clicked, this, [this] { store_new("look-store"); });
     auto* capture = new QPushButton(translated("Looks", "Store what is seen"), this);

@@ -46,7 +46,7 @@ ScenePanel::ScenePanel(AppModel& app, QWidget* parent) : QWidget(parent), app_(a
     add_stage(layout);
     connect(&app_, &AppModel::opened_show, this, &ScenePanel::fill);
     for (const auto signal :
-         {&AppModel::look_changed, &AppModel::wishes_changed, &AppModel::selection_changed})
+         {&AppModel::look_changed, &AppModel::request_changed, &AppModel::selection_changed})
         connect(&app_, signal, this, &ScenePanel::refresh);
     setEnabled(false);
 }

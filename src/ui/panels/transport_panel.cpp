@@ -57,14 +57,14 @@ TransportPanel::TransportPanel(AppModel& app, const Actions& actions, QWidget* p
     layout->addWidget(master_);
     layout->addWidget(button_of(actions.item("black-out"), translated("Transport", "Black-out"), this));
     connect(input_, &QComboBox::activated, this, [this](int index) {
-        app_.wish([&](ViewRequest& request) { request.input = static_cast<Input>(index); });
+        app_.change_request([&](ViewRequest& request) { request.input = static_cast<Input>(index); });
     });
     connect(master_, &QSlider::valueChanged, this, [this](int percent) {
         const float share = static_cast<float>(percent) / 100.0f;
         if (std::lround(app_.request().master * 100) != percent)
-            app_.wish([&](ViewRequest& request) { request.master = share; });
+            app_.change_request([&](ViewRequest& request) { request.master = share; });
     });
-    for (const auto signal : {&AppModel::rig_came, &AppModel::wishes_changed})
+    for (const auto signal : {&AppModel::rig_came, &AppModel::request_changed})
         connect(&app_, signal, this, &TransportPanel::refresh);
     refresh();
 }

@@ -53,17 +53,17 @@ CameraStrip::CameraStrip(AppModel& app, Actions& actions, QWidget* parent) : QLi
         connect(this, signal, this, go);
     connect(&app_, &AppModel::opened_show, this, &CameraStrip::list_cameras);
     connect(&app_, &AppModel::camera_pictures_came, this, &CameraStrip::show_pictures);
-    connect(&app_, &AppModel::wishes_changed, this, &CameraStrip::mark_current);
+    connect(&app_, &AppModel::request_changed, this, &CameraStrip::mark_current);
 }
 
 void CameraStrip::showEvent(QShowEvent* event) {
     QListWidget::showEvent(event);
-    app_.wish([](ViewRequest& request) { request.wants_camera_pictures = true; });
+    app_.change_request([](ViewRequest& request) { request.wants_camera_pictures = true; });
 }
 
 void CameraStrip::hideEvent(QHideEvent* event) {
     QListWidget::hideEvent(event);
-    app_.wish([](ViewRequest& request) { request.wants_camera_pictures = false; });
+    app_.change_request([](ViewRequest& request) { request.wants_camera_pictures = false; });
 }
 
 void CameraStrip::list_cameras() {

@@ -71,7 +71,7 @@ ViewBar::ViewBar(AppModel& app, Actions& actions, QMenuBar* menus)
             "tone " + QString::fromStdString(image::name_of(image::kTones[static_cast<std::size_t>(index)])));
     });
     connect(&app_, &AppModel::opened_show, this, &ViewBar::name_cameras);
-    for (const auto signal : {&AppModel::wishes_changed, &AppModel::picture_came})
+    for (const auto signal : {&AppModel::request_changed, &AppModel::picture_came})
         connect(&app_, signal, this, &ViewBar::refresh);
     setEnabled(false);
     menus_.installEventFilter(this);

@@ -187,7 +187,7 @@ void View::probe_at(const QPointF& place) {
     const QRectF picture = rect_of_picture();
     if (!app_.show() || picture.isEmpty()) return;
     overlays.probe = true;
-    app_.wish([&](ViewRequest& request) {
+    app_.change_request([&](ViewRequest& request) {
         request.probe = glm::clamp(glm::vec2((place.x() - picture.left()) / picture.width(),
                                              (place.y() - picture.top()) / picture.height()),
                                    0.0f, 1.0f);
@@ -196,7 +196,7 @@ void View::probe_at(const QPointF& place) {
 
 void View::end_probe() {
     overlays.probe = false;
-    app_.wish([](ViewRequest& request) { request.probe.reset(); });
+    app_.change_request([](ViewRequest& request) { request.probe.reset(); });
     update();
 }
 

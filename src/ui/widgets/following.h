@@ -1,7 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: Apache-2.0
-// Following: while one lives, a panel shows what the model has, and what its widgets report is no wish of a
-// person. They nest: only the outermost ends it. Window thread.
+// Following: while one lives, a panel shows what the model has, and what its widgets report is no request of
+// a person. They nest: only the outermost ends it. Window thread.
 
 namespace ghost::ui {
 

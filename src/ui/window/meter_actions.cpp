@@ -34,7 +34,7 @@ Result<void> set_false_colour(AppModel& app, const QStringList& words) {
             return Error{"the largest value must be at least half as large again as the least", ""};
         wanted.scale = {static_cast<float>(low), static_cast<float>(high)};
     }
-    app.wish([&](ViewRequest& request) { request.false_colour = wanted; });
+    app.change_request([&](ViewRequest& request) { request.false_colour = wanted; });
     return {};
 }
 
@@ -83,7 +83,7 @@ void add_meter_actions(Actions& actions, AppModel& app, View& view) {
     const auto add = [&](const QString& name, const QString& text, const QString& key, Measure measure) {
         actions.add({name, "View", text, key, "",
                      [&app, measure](const QStringList&) -> Result<void> {
-                         app.wish([&](ViewRequest& request) {
+                         app.change_request([&](ViewRequest& request) {
                              const bool is_on = request.false_colour.measure == measure;
                              request.false_colour = is_on ? FalseColour{} : usual(measure);
                          });

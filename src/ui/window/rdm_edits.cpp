@@ -14,7 +14,7 @@ namespace ghost::ui {
 
 RdmEdits::RdmEdits(AppModel& app, ShowDocument& document, QObject* parent)
     : QObject(parent), app_(app), document_(document) {
-    connect(&app_, &AppModel::rdm_wished, this, &RdmEdits::take);
+    connect(&app_, &AppModel::rdm_edit_asked, this, &RdmEdits::take);
     connect(&app_, &AppModel::opened_show, this, [this] {
         if (!app_.opened().is_edit) waiting_.clear(); // of the show before
         offer();
@@ -30,31 +30,32 @@ void RdmEdits::set_access(RdmAccess access) {
 void RdmEdits::offer() {
     const bool can_edit = document_.check_editable().ok();
     const RdmAccess offered = access_ == RdmAccess::edit && !can_edit ? RdmAccess::read : access_;
-    if (offered != app_.request().rdm) app_.wish([&](ViewRequest& request) { request.rdm = offered; });
+    if (offered != app_.request().rdm)
+        app_.change_request([&](ViewRequest& request) { request.rdm = offered; });
 }
 
-void RdmEdits::take(const RdmWish& wish) {
-    waiting_.push_back(wish);
+void RdmEdits::take(const RdmEdit& asked) {
+    waiting_.push_back(asked);
     if (waiting_.size() == 1) QTimer::singleShot(0, this, &RdmEdits::do_next);
 }
 
 void RdmEdits::do_next() {
     if (waiting_.empty()) return;
-    const RdmWish wish = std::move(waiting_.front());
+    const RdmEdit asked = std::move(waiting_.front());
     waiting_.pop_front();
-    const Result<void> done = edit(wish);
-    if (!done.ok() && complain) complain(Error{"RDM: " + done.error().text(), wish.name});
+    const Result<void> done = edit(asked);
+    if (!done.ok() && complain) complain(Error{"RDM: " + done.error().text(), asked.name});
     if (done.ok() && on_done) on_done(app_.undo_stack().undoText());
-    app_.wish([&](ViewRequest& request) { request.rdm_answered = wish.number; });
+    app_.change_request([&](ViewRequest& request) { request.rdm_answered = asked.number; });
     if (!waiting_.empty()) QTimer::singleShot(0, this, &RdmEdits::do_next);
 }
 
-Result<void> RdmEdits::edit(const RdmWish& wish) {
+Result<void> RdmEdits::edit(const RdmEdit& asked) {
     TRY_VOID(document_.check_editable());
     // The window may have moved on since the engine said so.
     const std::vector<scene::PatchedFixture>& fixtures = app_.show()->fixtures;
-    const auto has_name = [&](const scene::PatchedFixture& fixture) { return fixture.name == wish.name; };
-    std::size_t index = wish.fixture;
+    const auto has_name = [&](const scene::PatchedFixture& fixture) { return fixture.name == asked.name; };
+    std::size_t index = asked.fixture;
     if (index >= fixtures.size() || !has_name(fixtures[index])) {
         const auto found = std::find_if(fixtures.begin(), fixtures.end(), has_name);
         if (found == fixtures.end()) return Error{"there is no such fixture any more", ""};
@@ -62,12 +63,12 @@ Result<void> RdmEdits::edit(const RdmWish& wish) {
     }
     const scene::PatchedFixture& fixture = fixtures[index];
     PatchEdit by_desk(app_, document_, index,
-                      translated("Undo", " of %1 by RDM").arg(QString::fromStdString(wish.name)));
-    if (wish.address) return by_desk.set_address({fixture.universe, *wish.address});
-    if (wish.label) return by_desk.rename(QString::fromStdString(*wish.label));
-    if (!wish.mode || !fixture.type || *wish.mode >= fixture.type->modes.size())
+                      translated("Undo", " of %1 by RDM").arg(QString::fromStdString(asked.name)));
+    if (asked.address) return by_desk.set_address({fixture.universe, *asked.address});
+    if (asked.label) return by_desk.rename(QString::fromStdString(*asked.label));
+    if (!asked.mode || !fixture.type || *asked.mode >= fixture.type->modes.size())
         return Error{"the fixture has no such mode any more", ""};
-    return by_desk.set_mode(QString::fromStdString(fixture.type->modes[*wish.mode].name));
+    return by_desk.set_mode(QString::fromStdString(fixture.type->modes[*asked.mode].name));
 }
 
 void add_rdm_action(Actions& actions, RdmEdits& edits) {

@@ -26,14 +26,14 @@ public:
 
 private:
     void offer();
-    void take(const RdmWish& wish);
+    void take(const RdmEdit& asked);
     void do_next();
-    Result<void> edit(const RdmWish& wish);
+    Result<void> edit(const RdmEdit& asked);
 
     AppModel& app_;
     ShowDocument& document_;
     RdmAccess access_ = RdmAccess::off;
-    std::deque<RdmWish> waiting_;
+    std::deque<RdmEdit> waiting_;
 };
 
 // "rdm off|read|edit".

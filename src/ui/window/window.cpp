@@ -177,7 +177,7 @@ Window::Window(Link& link, const WindowOptions& options)
                 .arg(QString::fromStdString(plot.from),
                      QString::fromStdString(plot.comment.empty() ? plot.file : plot.comment)));
     });
-    connect(&app_, &AppModel::wishes_changed, this, [this] { actions_.refresh(); });
+    connect(&app_, &AppModel::request_changed, this, [this] { actions_.refresh(); });
     connect(&app_, &AppModel::rig_came, this, &Window::show_status);
     connect(&app_, &AppModel::picture_came, this, [this] {
         const QString supply = said(app_.picture().supply);
@@ -212,7 +212,7 @@ Window::Window(Link& link, const WindowOptions& options)
     QSettings settings;
     if (const auto tone = image::tone_from(settings.value("tone").toString().toStdString());
         options_.remembers && tone.ok())
-        app_.wish([&](ViewRequest& request) { request.tone = *tone; });
+        app_.change_request([&](ViewRequest& request) { request.tone = *tone; });
     if (options_.remembers && settings.value("layout version").toInt() == kLayoutVersion) {
         restoreGeometry(settings.value("geometry").toByteArray());
         restoreState(settings.value("docks").toByteArray(), kLayoutVersion);
@@ -393,7 +393,7 @@ void Window::begin_where_there_is_light() {
     std::error_code code;
     if (!app_.opened().again && !options_.demo.empty() &&
         std::filesystem::equivalent(app_.show()->folder, options_.demo, code))
-        app_.wish([](ViewRequest& request) {
+        app_.change_request([](ViewRequest& request) {
             ++request.transport.seeks;
             request.transport.at_s = kDemoBegins_s;
         });

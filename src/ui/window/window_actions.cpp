@@ -69,7 +69,8 @@ void Window::add_window_actions() {
                   [this](const QStringList&) -> Result<void> {
                       if (app_.plot().number == 0)
                           return Error{"no plot came from the network (MVR-xchange)", ""};
-                      app_.wish([&](ViewRequest& request) { request.take_plot = app_.plot().number; });
+                      app_.change_request(
+                          [&](ViewRequest& request) { request.take_plot = app_.plot().number; });
                       statusBar()->clearMessage();
                       return {};
                   },
@@ -219,7 +220,8 @@ void Window::add_view_switches() {
                   {}});
     actions_.add({"black-out", "View", translated("Action", "Black-out"), "B", "",
                   [this](const QStringList&) -> Result<void> {
-                      app_.wish([](ViewRequest& request) { request.black_out = !request.black_out; });
+                      app_.change_request(
+                          [](ViewRequest& request) { request.black_out = !request.black_out; });
                       return {};
                   },
                   [this] { return app_.request().black_out; }});
@@ -233,7 +235,7 @@ void Window::add_view_switches() {
                       const WorkLight wanted = word == "on"    ? WorkLight::on
                                                : word == "off" ? WorkLight::off
                                                                : WorkLight::automatic;
-                      app_.wish([&](ViewRequest& request) { request.work_light = wanted; });
+                      app_.change_request([&](ViewRequest& request) { request.work_light = wanted; });
                       return {};
                   },
                   [this] { return app_.picture().has_work_light; }});
@@ -244,7 +246,8 @@ void Window::add_view_switches() {
                   "SHARE",
                   [this](const QStringList& words) -> Result<void> {
                       TRY(const double share, number_of(words, 0, "share", 0, 1));
-                      app_.wish([&](ViewRequest& request) { request.master = static_cast<float>(share); });
+                      app_.change_request(
+                          [&](ViewRequest& request) { request.master = static_cast<float>(share); });
                       return {};
                   },
                   {}});
@@ -310,7 +313,7 @@ Result<void> Window::save_picture(const QString& file) {
     if (!app_.picture().image) return Error{"there is no picture yet", ""};
     if (file.endsWith(".exr", Qt::CaseInsensitive)) {
         // The engine has the linear values; it says when they are there.
-        app_.wish([&](ViewRequest& request) {
+        app_.change_request([&](ViewRequest& request) {
             ++request.save_frame.number;
             request.save_frame.file = file.toStdString();
         });

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A desk beside a show, without a network: what it may, what it reads until the show has its wishes, who is
+// A desk beside a show, without a network: what it may, what it reads until the show has its edits, who is
 // who under another name.
 #include "live/inputs/rdm_desk.h"
 
@@ -176,7 +176,7 @@ TEST(RdmDesk, a_desk_reads_what_it_set_until_the_show_says_what_became_of_it) {
     ASSERT_EQ(wanted.size(), 2u);
     EXPECT_EQ(wanted[0].fixture, 1u);
     EXPECT_EQ(wanted[1].number, wanted[0].number + 1);
-    desk.update(show); // for another reason: the wishes are on their way
+    desk.update(show); // for another reason: the edits are on their way
     EXPECT_EQ(wire.get(second, rdm::Pid::dmx_start_address), (std::vector<int>{0, 100}));
     show.fixtures[1].address = 100; // the address is an edit, the mode was refused
     desk.update(show, {}, wanted[1].number);
@@ -192,9 +192,9 @@ TEST(RdmDesk, more_edits_than_may_be_on_their_way_are_refused) {
     const auto place = [&](std::size_t k) {
         return wire.set(first, rdm::Pid::dmx_start_address, {0, static_cast<std::uint8_t>(100 + k % 2)});
     };
-    for (std::size_t k = 0; k < ui::kMostRdmWishes; ++k) ASSERT_TRUE(place(k).empty()) << k;
-    EXPECT_EQ(place(ui::kMostRdmWishes).at(0), refusal(rdm::Nack::buffer_full));
-    EXPECT_EQ(desk.take().size(), ui::kMostRdmWishes);
+    for (std::size_t k = 0; k < ui::kMostRdmEdits; ++k) ASSERT_TRUE(place(k).empty()) << k;
+    EXPECT_EQ(place(ui::kMostRdmEdits).at(0), refusal(rdm::Nack::buffer_full));
+    EXPECT_EQ(desk.take().size(), ui::kMostRdmEdits);
 }
 
 TEST(RdmDesk, names_are_ones_that_the_show_can_have_and_no_other_fixture_has) {
@@ -237,7 +237,7 @@ TEST(RdmDesk, a_fixture_stays_who_it_is_under_another_name) {
     EXPECT_NE(wire.of("FOH"), first) << "in another show it is somebody else";
 }
 
-TEST(RdmHeads, wishes_go_to_the_window_and_bodies_flash) {
+TEST(RdmHeads, edits_go_to_the_window_and_bodies_flash) {
     ui::Link link;
     link.on_news = [] {};
     RdmHeads heads(link, 1);
@@ -256,10 +256,10 @@ TEST(RdmHeads, wishes_go_to_the_window_and_bodies_flash) {
     EXPECT_TRUE(wire.set(third, rdm::Pid::identify_device, {1}).empty());
     EXPECT_TRUE(wire.set(third, rdm::Pid::device_label, text("Side")).empty());
     heads.step(request, true, show, {}, 12);
-    const std::vector<ui::RdmWish> wishes = link.rdm_wishes.take();
-    ASSERT_EQ(wishes.size(), 1u) << "the window need not know of identify";
-    EXPECT_EQ(wishes[0].fixture, 2u);
-    EXPECT_EQ(wishes[0].label, "Side");
+    const std::vector<ui::RdmEdit> edits = link.rdm_edits.take();
+    ASSERT_EQ(edits.size(), 1u) << "the window need not know of identify";
+    EXPECT_EQ(edits[0].fixture, 2u);
+    EXPECT_EQ(edits[0].label, "Side");
     EXPECT_TRUE(heads.identifies());
     EXPECT_EQ(heads.flash(12.1), (std::set<std::size_t>{2}));
     EXPECT_FALSE(heads.flash(12.3).has_value()) << "as it was";
@@ -267,7 +267,7 @@ TEST(RdmHeads, wishes_go_to_the_window_and_bodies_flash) {
     const auto now = link.rdm.take();
     ASSERT_TRUE(now);
     EXPECT_TRUE(now->heads.at(2).identifies);
-    request.rdm_answered = wishes[0].number; // refused: the show is as it was
+    request.rdm_answered = edits[0].number; // refused: the show is as it was
     heads.step(request, true, show, {}, 13);
     EXPECT_EQ(wire.label(third), "Lamp 3");
     request.rdm = ui::RdmAccess::off;

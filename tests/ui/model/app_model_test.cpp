@@ -37,13 +37,13 @@ TEST(AppModel, a_show_of_the_working_directory_gets_its_folder) {
     QDir::setCurrent(before);
 }
 
-TEST(AppModel, the_newest_wish_is_whole) {
+TEST(AppModel, the_newest_request_is_whole) {
     Bench bench;
     bench.open();
     bench.app.select({1, 2});
     change_selected(bench.app, "intensity", ProgrammerStep::intensity,
                     [](fixture::Programmer& programmer) { programmer.intensity = 0.5f; });
-    bench.app.wish([](ViewRequest& request) { request.black_out = true; });
+    bench.app.change_request([](ViewRequest& request) { request.black_out = true; });
     const auto request = bench.link.request.take();
     ASSERT_TRUE(request);
     EXPECT_TRUE(request->black_out);

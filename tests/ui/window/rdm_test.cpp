@@ -19,36 +19,36 @@ struct RdmTrial : Desk {
         open();
         edits.set_access(RdmAccess::edit);
     }
-    void wish(RdmWish wish) {
-        ASSERT_TRUE(link.rdm_wishes.put(std::move(wish)));
+    void ask(RdmEdit one) {
+        ASSERT_TRUE(link.rdm_edits.put(std::move(one)));
         link.on_news();
         settle();
     }
 };
 
-RdmWish wish_of(std::uint64_t number, std::size_t fixture, const std::string& name) {
-    RdmWish wish;
-    wish.number = number;
-    wish.fixture = fixture;
-    wish.name = name;
-    return wish;
+RdmEdit edit_of(std::uint64_t number, std::size_t fixture, const std::string& name) {
+    RdmEdit edit;
+    edit.number = number;
+    edit.fixture = fixture;
+    edit.name = name;
+    return edit;
 }
 
-TEST(RdmEdits, each_wish_is_a_step_whatever_is_selected) {
+TEST(RdmEdits, each_edit_is_a_step_whatever_is_selected) {
     RdmTrial desk;
     EXPECT_EQ(desk.app.request().rdm, RdmAccess::edit);
     desk.app.select({2});
-    RdmWish address = wish_of(1, 0, "Lamp 1"), mode = wish_of(2, 1, "Lamp 2"),
-            label = wish_of(3, 0, "Lamp 1");
+    RdmEdit address = edit_of(1, 0, "Lamp 1"), mode = edit_of(2, 1, "Lamp 2"),
+            label = edit_of(3, 0, "Lamp 1");
     address.address = 101;
     mode.mode = 1;
     label.label = "FOH left";
-    desk.wish(address);
+    desk.ask(address);
     EXPECT_EQ(desk.fixture(0).address, 101);
     EXPECT_EQ(desk.app.request().rdm_answered, 1u);
     EXPECT_EQ(desk.app.undo_stack().undoText(), "Address of Lamp 1 by RDM");
-    desk.wish(mode);
-    desk.wish(label);
+    desk.ask(mode);
+    desk.ask(label);
     EXPECT_EQ(desk.fixture(0).name, "FOH left");
     EXPECT_NE(desk.document.text().find("mode = \"Short\""), std::string::npos);
     EXPECT_EQ(desk.app.selection(), std::set<std::size_t>{2});
@@ -61,9 +61,9 @@ TEST(RdmEdits, each_wish_is_a_step_whatever_is_selected) {
 TEST(RdmEdits, many_at_once_are_done_one_after_the_other) {
     RdmTrial desk;
     for (int i = 0; i < 50; ++i) {
-        RdmWish one = wish_of(static_cast<std::uint64_t>(i + 1), 1, "Lamp 2");
+        RdmEdit one = edit_of(static_cast<std::uint64_t>(i + 1), 1, "Lamp 2");
         one.address = 100 + i;
-        ASSERT_TRUE(desk.link.rdm_wishes.put(one));
+        ASSERT_TRUE(desk.link.rdm_edits.put(one));
     }
     desk.link.on_news();
     for (int i = 0; i < 100 && desk.app.request().rdm_answered < 50; ++i) settle();
@@ -73,14 +73,14 @@ TEST(RdmEdits, many_at_once_are_done_one_after_the_other) {
 
 TEST(RdmEdits, what_is_not_there_any_more_is_said_and_answered) {
     RdmTrial desk;
-    RdmWish moved = wish_of(1, 0, "Lamp 3"), gone = wish_of(2, 1, "Lamp 9"), mode = wish_of(3, 0, "Lamp 1");
+    RdmEdit moved = edit_of(1, 0, "Lamp 3"), gone = edit_of(2, 1, "Lamp 9"), mode = edit_of(3, 0, "Lamp 1");
     moved.address = 200;
     gone.address = 1;
     mode.mode = 7;
-    desk.wish(moved);
+    desk.ask(moved);
     EXPECT_EQ(desk.fixture(2).address, 200) << "it has another place in the list now";
-    desk.wish(gone);
-    desk.wish(mode);
+    desk.ask(gone);
+    desk.ask(mode);
     EXPECT_EQ(desk.complaints.size(), 2u);
     EXPECT_EQ(desk.app.request().rdm_answered, 3u);
     EXPECT_EQ(desk.app.undo_stack().count(), 1);

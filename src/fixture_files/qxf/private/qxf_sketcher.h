@@ -10,7 +10,7 @@
 
 namespace ghost::fixture {
 
-struct SlotWish { // what a capability asks for; second: half of one slot, half of another
+struct SlotRequest { // what a capability asks for; second: half of one slot, half of another
     int first = -1;
     int second = -1;
 };
@@ -84,12 +84,12 @@ private:
     void convert_time(const QxfCapability& capability);
     int slot_of(Wheel& wheel, const std::string& slot_name, const ColorCie& color, const std::string& media);
     static std::string slot_name(const QxfCapability& capability);
-    SlotWish wish_colour(Wheel& wheel, const QxfCapability& capability);
-    SlotWish wish_gobo(Wheel& wheel, const QxfCapability& capability);
-    SlotWish wish_prism(Wheel& wheel, const QxfCapability& capability);
+    SlotRequest request_colour(Wheel& wheel, const QxfCapability& capability);
+    SlotRequest request_gobo(Wheel& wheel, const QxfCapability& capability);
+    SlotRequest request_prism(Wheel& wheel, const QxfCapability& capability);
     bool wheel_turns(const QxfCapability& capability) const;
     static bool shuts(const QxfCapability& capability);
-    static float between(Wheel& wheel, SlotWish wish);
+    static float between(Wheel& wheel, SlotRequest request);
     void make_wheel();
     void add_slot(const QxfCapability& capability, const std::string& attribute, int slot);
     void fill_gaps();
