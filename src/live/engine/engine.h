@@ -4,6 +4,7 @@
 // request asks for, live (live/engine/live_picture.h) or from passes (live/engine/baked_supply.h), and puts
 // news into the link; the window never waits for it.
 
+#include "image/image_pool.h"
 #include "link/link.h"
 #include "live/engine/baked_supply.h"
 #include "live/engine/bounce_news.h"
@@ -122,6 +123,7 @@ private:
     std::string played_;                      // of the request: what is played instead of the show's own
     DeskRecorder recorder_{link_};
     MessageBoard messages_{link_};
+    image::ImagePool pictures_;                            // for the window
     RdmHeads rdm_{link_, options_.receiver.artnet_offset}; // the receiver asks it, and goes first
     DeskListener desk_{options_.receiver, recorder_, messages_, link_};
     scene::PatchMap patch_; // of the session's show

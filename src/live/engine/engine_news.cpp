@@ -31,9 +31,14 @@ void Engine::publish_rest(double now_s, bool drew) {
 
 void Engine::publish_picture(const render::FrameStatistics& statistics, double draw_ms) {
     ui::Picture picture;
-    picture.image = request_.false_colour.measure == ui::Measure::none
-                        ? std::make_shared<const image::Image8>(relighter().picture())
-                        : probe_.false_colours(request_.false_colour, shown());
+    if (request_.false_colour.measure == ui::Measure::none) {
+        const std::shared_ptr<image::Image8> image =
+            pictures_.take(relighter().width(), relighter().height(), 4);
+        relighter().copy_picture(*image);
+        picture.image = image;
+    } else {
+        picture.image = probe_.false_colours(request_.false_colour, shown());
+    }
     picture.false_colour = false_colour_ = request_.false_colour;
     picture.camera = shown_.camera;
     picture.framed = shown_.framed;

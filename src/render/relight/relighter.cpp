@@ -529,8 +529,13 @@ void Relighter::develop(const scene::FrameLights& lit) {
 
 image::Image8 Relighter::picture() const {
     image::Image8 result(width(), height(), 4);
-    std::memcpy(result.samples.data(), pixels_.mapped(), result.samples.size());
+    copy_picture(result);
     return result;
+}
+
+void Relighter::copy_picture(image::Image8& to) const {
+    CHECK(to.width == width() && to.height == height() && to.channels == 4);
+    std::memcpy(to.samples.data(), pixels_.mapped(), to.samples.size());
 }
 
 image::ImageF Relighter::frame() {

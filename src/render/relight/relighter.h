@@ -136,8 +136,9 @@ public:
     int width() const { return static_cast<int>(seen().width); }
     int height() const { return static_cast<int>(seen().height); }
     bool is_coarse() const { return coarse_ != nullptr; }
-    image::Image8 picture() const; // RGBA, sRGB: the developed frame
-    image::ImageF frame();         // RGB, linear Rec.2020, cd/m^2, glare included: read back
+    image::Image8 picture() const;              // RGBA, sRGB: the developed frame
+    void copy_picture(image::Image8& to) const; // of that size
+    image::ImageF frame();                      // RGB, linear Rec.2020, cd/m^2, glare included: read back
     float ev100_used() const;
     image::Tone tone() const { return settings_.tone; }
     std::uint64_t memory_bytes() const; // on the device
