@@ -26,6 +26,9 @@ SHARED_FN uint beam_class(Light light) {
     return light.slide.layer == 0u ? without : (without == 0u ? kSlideClass : kCutSlideClass);
 }
 
+// A head with wheels, blades or an iris comes to it without anything new in the show.
+SHARED_FN bool may_be_of_wheels(uint kind) { return kind <= kCutClass; }
+
 // Its planes are not blurred alike.
 SHARED_FN bool is_shaped(uint kind) {
     return kind == kPlanesClass || kind == kCutClass || kind == kCutSlideClass;

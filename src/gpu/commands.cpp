@@ -120,6 +120,15 @@ Program::Program(const Device& device, const Shader& built_in, const Shader& sha
                                   return make_pipeline(device, shader, bindings, constants);
                               })) {}
 
+void LateProgram::expect() const {
+    if (program_) return;
+    const Shader shader = device_->current(shader_);
+    device_->pipelines().begin_late(key_of(shader, constants_), {shader_, constants_, false, 0, {}},
+                                    [device = device_, shader, constants = constants_] {
+                                        return make_pipeline(*device, shader, bindings_of(shader), constants);
+                                    });
+}
+
 namespace {
 
 // The queries of spans are made and reset where there are any: most commands (uploads) have none, and a reset

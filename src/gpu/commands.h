@@ -77,6 +77,8 @@ public:
         if (!program_) program_ = std::make_unique<Program>(*device_, shader_, constants_);
         return *program_;
     }
+    // It may well be used: made when there is time (Pipelines::make_late).
+    void expect() const;
 
 private:
     const Device* device_ = nullptr;

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "gpu/pipelines.h"
 
+#include "base/give_way.h"
 #include "base/steady_time.h"
 #include "gpu/device.h"
 
 #include <algorithm>
 #include <exception>
 #include <string_view>
+#include <utility>
 
 namespace ghost::gpu {
 namespace {
@@ -40,6 +42,7 @@ void Pipelines::stop() {
     changed_.notify_all();
     for (std::thread& thread : threads_) thread.join();
     threads_.clear();
+    if (late_thread_.joinable()) late_thread_.join();
 }
 
 Pipelines::~Pipelines() {
@@ -54,15 +57,38 @@ Pipelines::~Pipelines() {
 Pipelines::Entry& Pipelines::begin(PipelineKey key, PipelineMade what, std::function<Pipeline()> make) {
     const std::lock_guard lock(mutex_);
     std::unique_ptr<Entry>& entry = all_[std::move(key)];
-    if (entry) return *entry;
-    entry = std::make_unique<Entry>();
-    entry->what = std::move(what);
-    entry->make = std::move(make);
+    if (!entry)
+        enter(entry, std::move(what), std::move(make));
+    else if (const auto late = std::find(late_.begin(), late_.end(), entry.get()); late != late_.end())
+        late_.erase(late);
+    else
+        return *entry;
     in_order_.push_back(entry.get());
     waiting_.push_back(entry.get());
     const std::size_t most = std::clamp(std::thread::hardware_concurrency(), 1u, kMostThreads);
     if (threads_.size() < std::min(most, waiting_.size())) threads_.emplace_back([this] { run(); });
     changed_.notify_all();
+    return *entry;
+}
+
+void Pipelines::begin_late(PipelineKey key, PipelineMade what, std::function<Pipeline()> make) {
+    const std::lock_guard lock(mutex_);
+    std::unique_ptr<Entry>& entry = all_[std::move(key)];
+    if (entry) return;
+    late_.push_back(&enter(entry, std::move(what), std::move(make)));
+    changed_.notify_all();
+}
+
+void Pipelines::make_late() {
+    const std::lock_guard lock(mutex_);
+    if (!late_thread_.joinable()) late_thread_ = std::thread([this] { run_late(); });
+}
+
+Pipelines::Entry& Pipelines::enter(std::unique_ptr<Entry>& entry, PipelineMade what,
+                                   std::function<Pipeline()> make) {
+    entry = std::make_unique<Entry>();
+    entry->what = std::move(what);
+    entry->make = std::move(make);
     return *entry;
 }
 
@@ -88,6 +114,22 @@ void Pipelines::run() {
         if (stop_) return;
         Entry& entry = *waiting_.front();
         waiting_.pop_front();
+        entry.state = Entry::State::runs;
+        lock.unlock();
+        make(entry);
+        lock.lock();
+    }
+}
+
+void Pipelines::run_late() {
+    give_way();
+    std::unique_lock lock(mutex_);
+    while (true) {
+        changed_.wait(lock, [&] { return stop_ || (waiting_.empty() && !late_.empty()); });
+        if (stop_) return;
+        Entry& entry = *late_.front();
+        late_.pop_front();
+        in_order_.push_back(&entry);
         entry.state = Entry::State::runs;
         lock.unlock();
         make(entry);
@@ -136,6 +178,11 @@ std::vector<PipelineMade> Pipelines::made() {
 std::size_t Pipelines::count() const {
     const std::lock_guard lock(mutex_);
     return all_.size();
+}
+
+std::size_t Pipelines::late_count() const {
+    const std::lock_guard lock(mutex_);
+    return late_.size();
 }
 
 std::uint64_t Pipelines::waited_for() const {

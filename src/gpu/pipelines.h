@@ -4,7 +4,8 @@
 // comes and goes with every size of the picture, and drivers compile a shader only when it is first used.
 // Known by the words of their shaders and all else that they are made from. They are made side by side, on
 // threads of their own, from when they are asked for until they are used: a driver takes a tenth of a second
-// for a long shader, and a show begins with fifty. Any thread.
+// for a long shader, and a show begins with fifty. Those that may never be used are made when there is time,
+// where somebody says so (make_late), else when they are. Any thread.
 
 #include "gpu/push_layout.h"
 #include "gpu/shader.h"
@@ -64,13 +65,18 @@ public:
     // The one of that key. `make` is called once, on a thread of its own or by finish(): what it refers to
     // must outlive the device.
     Entry& begin(PipelineKey key, PipelineMade what, std::function<Pipeline()> make);
+    // The same for one that may never be used: only noted.
+    void begin_late(PipelineKey key, PipelineMade what, std::function<Pipeline()> make);
+    // From now on those are made, too, one after the other, with what processor time others leave.
+    void make_late();
     // Waits for it, or makes it where nobody has begun to. Throws what `make` threw.
     const Pipeline& finish(Entry& entry);
     // Those that nobody has begun to make are not made. Before the device goes, of which `make` may ask
     // anything.
     void stop();
     std::vector<PipelineMade> made(); // in the order of begin(), after all are finished
-    std::size_t count() const;
+    std::size_t count() const;        // that were begun, late ones too
+    std::size_t late_count() const;   // that are noted, and not made yet
     // Of those that were asked for by finish() so far: how many were not there yet. What draws a frame and
     // waits here is late.
     std::uint64_t waited_for() const;
@@ -80,7 +86,9 @@ public:
     }
 
 private:
+    Entry& enter(std::unique_ptr<Entry>& entry, PipelineMade what, std::function<Pipeline()> make);
     void run();
+    void run_late();
     void make(Entry& entry);
     std::vector<std::pair<std::string, double>> statistics_of(VkPipeline pipeline) const;
 
@@ -92,8 +100,9 @@ private:
     std::uint64_t waited_for_ = 0;
     std::map<PipelineKey, std::unique_ptr<Entry>> all_;
     std::vector<Entry*> in_order_;
-    std::deque<Entry*> waiting_;
+    std::deque<Entry*> waiting_, late_;
     std::vector<std::thread> threads_; // begun when there is something to do
+    std::thread late_thread_;          // likewise
 };
 
 } // namespace ghost::gpu

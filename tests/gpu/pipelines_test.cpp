@@ -74,6 +74,47 @@ TEST(Pipelines, ADeviceGoesWhileSomeAreNotMade) {
     EXPECT_LT(made, kAsked);
 }
 
+TEST(Pipelines, WhatMayNeverBeUsedIsMadeWhenSomebodySaysSo) {
+    const auto device = own_device();
+    Pipelines& pipelines = device->pipelines();
+    std::atomic<int> made = 0;
+    const auto make = [&] {
+        ++made;
+        return Pipeline{};
+    };
+    for (std::uint64_t k = 0; k < 6; ++k)
+        for (int twice = 0; twice < 2; ++twice)
+            pipelines.begin_late(key_of(k), {kNothing, {static_cast<std::uint32_t>(k)}, false, 0, {}}, make);
+    EXPECT_EQ(pipelines.late_count(), 6u);
+    (void)pipelines.finish(pipelines.begin(key_of(2), {kNothing, {2}, false, 0, {}}, make));
+    EXPECT_EQ(made, 1) << "the one that is used, and no other";
+    EXPECT_EQ(pipelines.late_count(), 5u);
+    ASSERT_EQ(pipelines.made().size(), 1u);
+    pipelines.make_late();
+    while (pipelines.late_count() > 0 || made < 6) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    EXPECT_EQ(pipelines.made().size(), 6u);
+    const std::uint64_t waited = pipelines.waited_for();
+    (void)pipelines.finish(pipelines.begin(key_of(4), {kNothing, {4}, false, 0, {}}, make));
+    EXPECT_EQ(pipelines.waited_for(), waited);
+    EXPECT_EQ(made, 6);
+    EXPECT_EQ(pipelines.count(), 6u);
+}
+
+TEST(Pipelines, ADeviceGoesWhileLateOnesAreNotMade) {
+    std::atomic<int> made = 0;
+    {
+        const auto device = own_device();
+        device->pipelines().make_late();
+        for (std::uint64_t k = 0; k < 200; ++k)
+            device->pipelines().begin_late(key_of(k), {kNothing, {}, false, 0, {}}, [&] {
+                std::this_thread::sleep_for(std::chrono::milliseconds(5));
+                ++made;
+                return Pipeline{};
+            });
+    }
+    EXPECT_LT(made, 200);
+}
+
 // As a show that is closed while it opens.
 TEST(Pipelines, ADeviceGoesWhileProgramsAreMade) {
     for (int round = 0; round < 20; ++round) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // One frame of the engine: from request and levels to the picture that is published.
 #include "live/engine/engine.h"
+
+#include "gpu/pipelines.h"
 #include "show/camera_moves.h"
 
 #include <algorithm>
@@ -219,7 +221,10 @@ void Engine::frame() {
     } else if (!statistics.stopped) {
         arrival_ = std::chrono::nanoseconds{0}; // they changed nothing that is seen
     }
-    if (drew) bounce_ms_ = statistics.bounce_ms();
+    if (drew) {
+        bounce_ms_ = statistics.bounce_ms();
+        session_->device->pipelines().make_late(); // a gobo that is first used must not be late
+    }
     bounce_news_.publish(*session_, bounce_ms_, begin_s);
     rig_news_.publish(*session_, *input_, shown_.lights, recorder_.seconds(), begin_s);
     rig_news_.explain(

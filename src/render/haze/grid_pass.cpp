@@ -33,6 +33,8 @@ GridPass::GridPass(const gpu::Device& device, std::uint32_t width, std::uint32_t
                                                    0u,    0u};
         fill_[focus] = gpu::LateProgram(device, shaders::kShader_grid_fill, constants);
         draw_left_[focus] = gpu::LateProgram(device, shaders::kShader_grid_left, constants);
+        fill_[focus].expect();
+        draw_left_[focus].expect();
     }
 }
 

@@ -66,12 +66,14 @@ HazePass::HazePass(const gpu::Device& device, const HazeIntegrator& settings, co
             samples_[kind] = gpu::LateProgram(device, shaders::kShader_haze,
                                               std::vector{kind, single, settings.uneven ? 1u : 0u});
             if (kind < shared::kPlanesClass) (void)samples_[kind].get();
+            if (shared::may_be_of_wheels(kind)) samples_[kind].expect();
         }
         return;
     }
     for (std::uint32_t kind = 0; kind < shared::kBeamClasses; ++kind) {
         fill_[kind] = gpu::LateProgram(device, shaders::kShader_fan, std::vector{kind, single});
         if (kind < shared::kPlanesClass) (void)fill_[kind].get();
+        if (shared::may_be_of_wheels(kind)) fill_[kind].expect();
     }
     for (std::uint32_t focus = 0; focus < gate_.size(); ++focus) {
         const auto gate = [&](bool wide, bool thin, bool panels) {
@@ -84,6 +86,7 @@ HazePass::HazePass(const gpu::Device& device, const HazeIntegrator& settings, co
         if (focus == 0) panel_gate_ = gate(false, false, true);
         if (focus == 0 && settings.most_wide_step > 1) wide_panel_gate_ = gate(true, false, true);
         if (settings.most_wide_step > 1) wide_gate_[focus] = gate(true, false, false);
+        gate_[focus].expect();
         if (focus == kOfPlaces) continue;
         (void)gate_[focus].get();
         if (settings.most_wide_step > 1) (void)wide_gate_[focus].get();

@@ -132,6 +132,7 @@ LensPass::LensPass(const gpu::Device& device, const LensSettings& settings)
     for (std::uint32_t kind = 0; kind < shared::kBeamClasses; ++kind) {
         program_[kind] = gpu::LateProgram(device, shaders::kShader_lens, std::vector{kind});
         if (kind < shared::kPlanesClass) (void)program_[kind].get();
+        if (shared::may_be_of_wheels(kind)) program_[kind].expect();
     }
 }
 

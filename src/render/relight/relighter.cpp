@@ -125,6 +125,7 @@ Relighter::Relighter(const gpu::Device& device, PassImages passes, const GBuffer
         develop_[tone] = gpu::LateProgram(device, shaders::kShader_develop, std::vector{tone});
     make_surface_programs();
     visible_ = gpu::LateProgram(device, shaders::kShader_visibility, {0u, batch_size_ == 1 ? 1u : 0u});
+    visible_.expect();
     if (g_buffer) dirty_tiles_ = std::make_unique<DirtyTiles>(device, fragments(), rooms());
     if (settings.beams.beams == Beams::gate && settings.beams.most_wide_step > 1)
         wide_ = std::make_unique<WideBeams>(device, fragments().width, fragments().height);
@@ -159,6 +160,8 @@ void Relighter::make_surface_programs() {
         thin_surface_[kind] = program(1, 1);
         direct_surface_[kind] = program(1, 0);
         if (kind < shared::kPlanesClass) (void)surface_[kind].get();
+        for (const auto* programs : {&surface_, &thin_surface_, &direct_surface_})
+            if (shared::may_be_of_wheels(kind)) (*programs)[kind].expect();
     }
 }
 
