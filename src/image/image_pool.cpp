@@ -22,6 +22,7 @@ std::shared_ptr<Image8> ImagePool::take(int width_px, int height_px, int channel
     std::unique_ptr<Image8> picture;
     {
         const std::lock_guard lock(shelf_->mutex);
+        shelf_->spare.reserve(kMostSpare); // put_back() must not fail
         if (!same_shape(shelf_->shape, shape)) shelf_->spare.clear();
         shelf_->shape = std::move(shape);
         if (!shelf_->spare.empty()) {
