@@ -31,10 +31,11 @@ struct BenchOptions {
     double soak_seconds =
         0; // of the tables network and window: an even load for so long, instead of the table
     double desk_seconds = 0; // of the table network: two desks for so long, instead of the ladder
-    std::string pictures;    // of the table pictures: a folder that they are written into; empty: nowhere
-    std::string against;     // likewise: a folder of what they are compared with; empty: with nothing
-    std::string only;        // of the table scale: rows with this in their names
-    std::string shaders;     // likewise: gpu::DeviceOptions
+    std::string
+        pictures; // of the tables pictures and moments: a folder that they are written into; empty: nowhere
+    std::string against; // likewise: a folder of what they are compared with; empty: with nothing
+    std::string only;    // of the table scale: rows with this in their names
+    std::string shaders; // likewise: gpu::DeviceOptions
     // Of the table shaders: a device that they are compiled for, where that is not the one that draws.
     std::string compile_for;
     std::uint32_t lights_per_dispatch = 0; // likewise, render::Settings
@@ -51,6 +52,8 @@ Result<void> bench_optics(const BenchOptions& options, const BenchSink& sink);
 Result<void> bench_paper(const BenchOptions& options, const BenchSink& sink);
 // A film of the free camera by span, and how near a picture that moves is to the same one at rest.
 Result<void> bench_live(const BenchOptions& options, const BenchSink& sink);
+// Moments of the demo and of a festival as they are drawn while all moves, against the same at rest.
+Result<void> bench_moments(const BenchOptions& options, const BenchSink& sink);
 // The paper's figure 8: ten projectors with two movies and a camera on the stage of the show.
 Result<void> bench_projectors(const BenchOptions& options, const BenchSink& sink);
 // The thesis's picture: 256x256, one spot with a gobo, its numbers of steps beside cone and gate.

@@ -16,6 +16,7 @@ constexpr BenchTable kTables[] = {
     {"optics", "Each optic of a profile, ten moving beams", bench_optics},
     {"paper", "The paper's scene: five spots with two gobos, five washes", bench_paper},
     {"live", "A film of the free camera, by span", bench_live},
+    {"moments", "Moving against resting", bench_moments},
     {"kinetic", "Rigs that travel", bench_kinetic},
     {"projectors", "The paper's figure 8: ten video projectors, two movies and a camera", bench_projectors},
     {"thesis", "The thesis's picture: 256x256, one spot", bench_thesis},

@@ -81,6 +81,10 @@ void add_bench(CLI::App& app, int& exit_code) {
         ->type_name("SECONDS");
     command->add_flag("--power", a->options.power,
                       "with bounce: light by order, solved and by particles, instead of the table");
+    command
+        ->add_option("--pictures", a->options.pictures,
+                     "with pictures or moments: a folder that they are written into")
+        ->type_name("FOLDER");
     command->add_option("--device", a->options.device, "Vulkan device: part of its name, or its number")
         ->type_name("NAME");
     command->add_flag("--json", a->json, "one line of JSON per row");
@@ -96,6 +100,12 @@ void add_bench(CLI::App& app, int& exit_code) {
         }
         if (a->options.desk_seconds > 0 && a->table != "network") {
             log_error("--desks: belongs to the table network: ghostlight bench network --desks 60");
+            exit_code = 2;
+            return;
+        }
+        if (!a->options.pictures.empty() && a->table != "pictures" && a->table != "moments") {
+            log_error("--pictures: belongs to the tables pictures and moments: ghostlight bench moments "
+                      "--pictures moments");
             exit_code = 2;
             return;
         }
