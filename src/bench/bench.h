@@ -28,13 +28,14 @@ struct BenchOptions {
     int frames = 40;         // measured, after a few that are not
     double row_seconds = 20; // of the table scale: rows that would take longer are skipped, by name
     std::string program;     // our own file, for the start-up table
-    double soak_seconds =
-        0; // of the tables network and window: an even load for so long, instead of the table
+    // Of the tables network and window: an even load for so long, instead of the table.
+    double soak_seconds = 0;
     double desk_seconds = 0; // of the table network: two desks for so long, instead of the ladder
+    // Of the tables pictures and moments: a folder that they are written into; empty: nowhere.
+    std::string pictures;
     std::string
-        pictures; // of the tables pictures and moments: a folder that they are written into; empty: nowhere
-    std::string against; // likewise: a folder of what they are compared with; empty: with nothing
-    std::string only;    // of the table scale: rows with this in their names
+        against;      // of the table pictures: a folder of what they are compared with; empty: with nothing
+    std::string only; // of the table scale: rows with this in their names
     std::string shaders; // likewise: gpu::DeviceOptions
     // Of the table shaders: a device that they are compiled for, where that is not the one that draws.
     std::string compile_for;

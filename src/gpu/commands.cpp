@@ -175,7 +175,7 @@ void Commands::begin() {
     info.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO;
     info.flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT;
     VK_CALL(vkBeginCommandBuffer(commands_, &info));
-    is_settled_ = true;
+    is_settled_ = is_empty_ = true;
     names_.clear();
 }
 
@@ -280,6 +280,7 @@ void Commands::clear(const Texture& texture) {
 
 void Commands::begin_span(const std::string& name) {
     if (names_.size() >= kMaxSpans || !device_.limits().timestamps) return;
+    is_empty_ = false;
     write_timestamp(device_, commands_, queries_, static_cast<std::uint32_t>(names_.size()));
     // lavapipe reads the clock when what follows waits, not before: without this a span has the time of the
     // next.
@@ -295,6 +296,8 @@ void Commands::submit_and_wait() {
     if (count > 0) write_timestamp(device_, commands_, queries_, count);
     barrier();
     VK_CALL(vkEndCommandBuffer(commands_));
+    spans_.clear();
+    if (is_empty_) return;
     VkCommandBufferSubmitInfo buffer{};
     buffer.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_SUBMIT_INFO;
     buffer.commandBuffer = commands_;
@@ -307,7 +310,6 @@ void Commands::submit_and_wait() {
     VK_CALL(vkWaitForFences(device_.handle(), 1, &fence_, VK_TRUE, UINT64_MAX));
     VK_CALL(vkResetFences(device_.handle(), 1, &fence_));
 
-    spans_.clear();
     if (count == 0) return;
     std::vector<std::uint64_t> ticks(count + 1);
     VK_CALL(vkGetQueryPoolResults(device_.handle(), queries_, 0, count + 1,

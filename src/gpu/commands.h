@@ -140,11 +140,11 @@ public:
     void clear(const Texture& texture); // every layer to zero
     void fill_zero(const Buffer& buffer);
     void begin_span(const std::string& name); // up to the next begin_span or the end
-    void submit_and_wait();
+    void submit_and_wait();                   // nothing where nothing was recorded
 
     // For a command that may have to be waited for.
     VkCommandBuffer handle() {
-        is_settled_ = false;
+        is_settled_ = is_empty_ = false;
         return commands_;
     }
     const Device& device() const { return device_; }
@@ -162,6 +162,7 @@ private:
     VkFence fence_ = VK_NULL_HANDLE;
     VkQueryPool queries_ = VK_NULL_HANDLE;
     bool is_settled_ = true; // nothing was recorded since the last barrier
+    bool is_empty_ = true;   // nor since the beginning
     std::vector<std::string> names_;
     std::vector<Span> spans_;
 };

@@ -26,7 +26,18 @@ VkImageUsageFlags usage_of(const TextureShape& shape) {
     return usage;
 }
 
-VkImageCreateInfo image_info(const TextureShape& shape) {
+// Linear in memory that is ours, too: a processor's driver has no other way to lay an image out.
+bool is_mapped(const Device& device, const TextureShape& shape) {
+    if (!device.is_cpu() || !shape.storage || shape.attachment || shape.levels > 1 || shape.samples > 1)
+        return false;
+    VkImageFormatProperties has{};
+    const VkResult known = vkGetPhysicalDeviceImageFormatProperties(
+        device.physical(), shape.format, VK_IMAGE_TYPE_2D, VK_IMAGE_TILING_LINEAR, usage_of(shape), 0, &has);
+    return known == VK_SUCCESS && has.maxArrayLayers >= shape.layers && has.maxExtent.width >= shape.width &&
+           has.maxExtent.height >= shape.height;
+}
+
+VkImageCreateInfo image_info(const Device& device, const TextureShape& shape) {
     VkImageCreateInfo info{};
     info.sType = VK_STRUCTURE_TYPE_IMAGE_CREATE_INFO;
     info.imageType = VK_IMAGE_TYPE_2D;
@@ -37,13 +48,14 @@ VkImageCreateInfo image_info(const TextureShape& shape) {
     CHECK(shape.samples == 1 || (shape.attachment && shape.layers == 1 && shape.levels == 1));
     info.samples = static_cast<VkSampleCountFlagBits>(shape.samples);
     info.usage = usage_of(shape);
+    info.tiling = is_mapped(device, shape) ? VK_IMAGE_TILING_LINEAR : VK_IMAGE_TILING_OPTIMAL;
     return info;
 }
 
 } // namespace
 
 std::uint64_t texture_bytes(const Device& device, const TextureShape& shape) {
-    const VkImageCreateInfo info = image_info(shape);
+    const VkImageCreateInfo info = image_info(device, shape);
     VkDeviceImageMemoryRequirements asked{};
     asked.sType = VK_STRUCTURE_TYPE_DEVICE_IMAGE_MEMORY_REQUIREMENTS;
     asked.pCreateInfo = &info;
@@ -54,19 +66,24 @@ std::uint64_t texture_bytes(const Device& device, const TextureShape& shape) {
 }
 
 Texture::Texture(const Device& device, const TextureShape& shape) : device_(&device), shape_(shape) {
-    const VkImageCreateInfo info = image_info(shape);
+    const VkImageCreateInfo info = image_info(device, shape);
     VK_CALL(vkCreateImage(device.handle(), &info, nullptr, &image_));
     VkMemoryRequirements needs;
     vkGetImageMemoryRequirements(device.handle(), image_, &needs);
     bytes_ = needs.size;
     std::uint32_t type = 0;
     try {
-        memory_ = device.memory().allocate(needs, VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT, type);
+        constexpr VkMemoryPropertyFlags kOurs =
+            VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT;
+        memory_ = device.memory().allocate(
+            needs, VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT | (info.tiling == VK_IMAGE_TILING_LINEAR ? kOurs : 0),
+            type);
     } catch (...) {
         vkDestroyImage(device.handle(), image_, nullptr);
         throw;
     }
     VK_CALL(vkBindImageMemory(device.handle(), image_, memory_, 0));
+    if (info.tiling == VK_IMAGE_TILING_LINEAR) map(type);
 
     VkImageViewCreateInfo view{};
     view.sType = VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO;
@@ -106,6 +123,21 @@ Texture::Texture(const Device& device, const TextureShape& shape) : device_(&dev
     commands.begin();
     vkCmdPipelineBarrier2(commands.handle(), &dependency);
     commands.submit_and_wait();
+}
+
+void Texture::map(std::uint32_t type) {
+    VkPhysicalDeviceMemoryProperties memory;
+    vkGetPhysicalDeviceMemoryProperties(device_->physical(), &memory);
+    const VkMemoryPropertyFlags has = memory.memoryTypes[type].propertyFlags;
+    if (!(has & VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT) || !(has & VK_MEMORY_PROPERTY_HOST_COHERENT_BIT)) return;
+    void* mapped = nullptr;
+    VK_CALL(vkMapMemory(device_->handle(), memory_, 0, VK_WHOLE_SIZE, 0, &mapped));
+    const VkImageSubresource first{VK_IMAGE_ASPECT_COLOR_BIT, 0, 0};
+    VkSubresourceLayout layout;
+    vkGetImageSubresourceLayout(device_->handle(), image_, &first, &layout);
+    mapped_ = static_cast<std::uint8_t*>(mapped) + layout.offset;
+    row_bytes_ = layout.rowPitch;
+    layer_bytes_ = layout.arrayPitch;
 }
 
 VkImageAspectFlags Texture::aspect() const {
@@ -150,6 +182,9 @@ void Texture::swap(Texture& other) noexcept {
     std::swap(view_, other.view_);
     std::swap(sampler_, other.sampler_);
     std::swap(bytes_, other.bytes_);
+    std::swap(mapped_, other.mapped_);
+    std::swap(row_bytes_, other.row_bytes_);
+    std::swap(layer_bytes_, other.layer_bytes_);
 }
 
 } // namespace ghost::gpu

@@ -53,9 +53,16 @@ public:
     const TextureShape& shape() const { return shape_; }
     VkImageAspectFlags aspect() const;             // colour or depth
     std::uint64_t bytes() const { return bytes_; } // of device memory
+    // Texels of a layer, where the device is this processor and shaders store to the only level; null
+    // elsewhere. Ours while nothing is submitted.
+    std::uint8_t* mapped(std::uint32_t layer = 0) const {
+        return mapped_ ? mapped_ + std::uint64_t{layer} * layer_bytes_ : nullptr;
+    }
+    std::uint64_t row_bytes() const { return row_bytes_; } // of what is mapped
 
 private:
     void swap(Texture& other) noexcept;
+    void map(std::uint32_t type);
     void upload(std::uint32_t level, std::uint32_t layer, std::uint32_t layers, const void* data,
                 std::uint64_t bytes);
 
@@ -66,6 +73,8 @@ private:
     VkImageView view_ = VK_NULL_HANDLE;
     VkSampler sampler_ = VK_NULL_HANDLE;
     std::uint64_t bytes_ = 0;
+    std::uint8_t* mapped_ = nullptr;
+    std::uint64_t row_bytes_ = 0, layer_bytes_ = 0;
 };
 
 } // namespace ghost::gpu

@@ -79,7 +79,8 @@ int main(int argc, char** argv) {
                     "with shaders: 1, 128, or 0 for what suits the device")
         ->check(CLI::IsMember({0, 1, 128}))
         ->capture_default_str();
-    program.add_option("--pictures", options.pictures, "with pictures and moments: a folder that they are written into");
+    program.add_option("--pictures", options.pictures,
+                       "with pictures and moments: a folder that they are written into");
     program.add_option("--against", options.against,
                        "a folder of pictures that another device drew; goldens/ where that is there");
     program.set_version_flag("--version", "ghostlight-bench 0.1.0");

@@ -2,11 +2,13 @@
 #include "render/relight/coarse_light.h"
 
 #include "render/geometry/layout.h"
+#include "render/relight/planes.h"
 #include "shaders/coarse_cells.h"
 #include "shaders/coarse_extras.h"
 #include "shaders/coarse_fold.h"
 #include "shaders/coarse_points.h"
 #include "shaders/coarse_spread.h"
+#include "shared/coarse.h"
 #include "shared/g_buffer.h"
 #include "shared/push.h"
 
@@ -203,6 +205,17 @@ void CoarseLight::spread(gpu::Commands& commands, const gpu::Texture& frame) con
                                                   .frame = gpu::stored(frame)},
                       gpu::groups(f.edge_count, kEdgesPerGroup));
     commands.barrier();
+}
+
+CoarsePlanes CoarseLight::planes() const {
+    const Fragments& f = g_buffer_.fragments();
+    return {.points = plane_of(sums_, shared::kCoarseLight),
+            .surfaces = plane_of(cells_, shared::kCellSurfaces),
+            .hazes = plane_of(cells_, shared::kCellHaze),
+            .reflects = plane_of(cells_, shared::kCellReflects),
+            .edges = plane_of(f.edges),
+            .extras = plane_of(extras_),
+            .edge_count = f.edge_count};
 }
 
 std::uint64_t CoarseLight::memory_bytes() const {

@@ -12,6 +12,7 @@
 #include "render/geometry/fragments.h"
 #include "render/geometry/g_buffer.h"
 #include "render/geometry/screen_area.h"
+#include "render/pixels/spread.h"
 #include "shared/coarse.h"
 
 #include <cstdint>
@@ -38,6 +39,7 @@ public:
     const gpu::Texture& normals() const { return normals_; }
     const gpu::Buffer& rooms() const { return rooms_; } // of no extra fragments
     const gpu::Texture& sums() const { return sums_; }
+    CoarsePlanes planes() const; // for spread() on this processor, whose memory all textures lie in
     std::uint64_t memory_bytes() const;
 
 private:

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render/relight/glare_pass.h"
 
+#include "render/pixels/glare.h"
+#include "render/relight/planes.h"
 #include "shaders/glare_develop.h"
 #include "shaders/glare_down.h"
 #include "shaders/glare_tail.h"
@@ -87,16 +89,7 @@ GlarePass::GlarePass(const gpu::Device& device, std::uint32_t width, std::uint32
 void GlarePass::record(gpu::Commands& commands, const gpu::Texture& frame, float brightest,
                        float pixels_per_rad) {
     if (!on()) return;
-    // A power of two that brings the brightest light, twice, below the limit: exact, so it changes nothing
-    // else.
-    const float scale =
-        std::exp2(-std::ceil(std::log2(std::max(2.0f * brightest / shared::kMostLight, 1.0f))));
-    if (pixels_per_rad != pixels_per_rad_) {
-        pixels_per_rad_ = pixels_per_rad;
-        weights_ = glare_weights(levels_.size(), pixels_per_rad);
-        const double sum = tail_sum(texel_deg(levels_.size() - 1, pixels_per_rad));
-        tail_weight_ = sum > 0 ? static_cast<float>(1.0 / sum) : 0.0f;
-    }
+    const float scale = prepare(brightest, pixels_per_rad);
     // A program's invocation makes 2x2 texels.
     const auto over = [&](const gpu::Program& program, const auto& push,
                           const std::vector<gpu::Binding>& bindings, std::uint32_t width,
@@ -128,23 +121,49 @@ void GlarePass::record(gpu::Commands& commands, const gpu::Texture& frame, float
         shaders::GlareTailBindings{.from = gpu::stored(levels_.back()), .to = gpu::stored(far_)},
         gpu::groups(shape.width, 8), gpu::groups(shape.height, 4));
     commands.barrier();
-    const gpu::Texture* coarse = &far_;
-    float coarse_weight = weights_.back();
-    for (std::size_t k = levels_.size() - 1; k > 0; --k) {
-        up(*coarse, levels_[k - 1], levels_[k - 1], weights_[k - 1], coarse_weight);
-        coarse = &levels_[k - 1];
-        coarse_weight = 1.0f;
+    for (std::size_t k = levels_.size() - 1; k > 0; --k)
+        up(scattered(k), levels_[k - 1], levels_[k - 1], weights_[k - 1], scattered_weight(k));
+}
+
+// Returns what the frame is to be multiplied with.
+float GlarePass::prepare(float brightest, float pixels_per_rad) {
+    // A power of two that brings the brightest light, twice, below the limit: exact, so it changes nothing
+    // else.
+    const float scale =
+        std::exp2(-std::ceil(std::log2(std::max(2.0f * brightest / shared::kMostLight, 1.0f))));
+    if (pixels_per_rad != pixels_per_rad_) {
+        pixels_per_rad_ = pixels_per_rad;
+        weights_ = glare_weights(levels_.size(), pixels_per_rad);
+        const double sum = tail_sum(texel_deg(levels_.size() - 1, pixels_per_rad));
+        tail_weight_ = sum > 0 ? static_cast<float>(1.0 / sum) : 0.0f;
     }
     // What is scattered less far than a texel stays in its pixel.
-    const float scattered = std::accumulate(weights_.begin(), weights_.end(), 0.0f);
-    last_up_ = {seen_.shape().width, seen_.shape().height, 1.0f - settings_.strength * scattered,
-                coarse_weight * settings_.strength / scale};
+    const float all = std::accumulate(weights_.begin(), weights_.end(), 0.0f);
+    last_up_ = {seen_.shape().width, seen_.shape().height, 1.0f - settings_.strength * all,
+                scattered_weight(0) * settings_.strength / scale};
+    return scale;
+}
+
+SeenFrame GlarePass::on_processor(const Plane& frame, float brightest, float pixels_per_rad) {
+    if (!on()) return {.frame = frame, .finest = {}};
+    const float scale = prepare(brightest, pixels_per_rad);
+    std::vector<Plane> levels;
+    for (const gpu::Texture& level : levels_) levels.push_back(plane_of(level));
+    glare_down(frame, levels[0], scale, true);
+    for (std::size_t k = 1; k < levels.size(); ++k) glare_down(levels[k - 1], levels[k], 1.0f, false);
+    glare_tail(levels.back(), plane_of(far_), texel_deg(levels.size() - 1, pixels_per_rad), tail_weight_);
+    for (std::size_t k = levels.size() - 1; k > 0; --k)
+        glare_up(plane_of(scattered(k)), levels[k - 1], weights_[k - 1], scattered_weight(k));
+    return {.frame = frame,
+            .finest = plane_of(scattered(0)),
+            .frame_weight = last_up_.fine_weight,
+            .glare_weight = last_up_.coarse_weight};
 }
 
 void GlarePass::see(gpu::Commands& commands, const gpu::Texture& frame) const {
     if (!on()) return;
     commands.dispatch(*up_, last_up_,
-                      shaders::GlareUpBindings{.coarse = gpu::stored(finest()),
+                      shaders::GlareUpBindings{.coarse = gpu::stored(scattered(0)),
                                                .fine = gpu::stored(frame),
                                                .sum = gpu::stored(seen_)},
                       gpu::groups(last_up_.width, 2 * shared::kTileWidth),
@@ -155,7 +174,7 @@ void GlarePass::see(gpu::Commands& commands, const gpu::Texture& frame) const {
 void GlarePass::develop(gpu::Commands& commands, const gpu::Texture& frame, const gpu::Buffer& exposure,
                         const gpu::Texture& picture, std::uint32_t tone) {
     commands.dispatch(develop_[tone].get(), last_up_,
-                      shaders::GlareDevelopBindings{.coarse = gpu::stored(finest()),
+                      shaders::GlareDevelopBindings{.coarse = gpu::stored(scattered(0)),
                                                     .fine = gpu::stored(frame),
                                                     .exposure = gpu::uniform(exposure),
                                                     .picture = gpu::stored(picture)},

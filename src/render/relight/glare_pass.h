@@ -7,7 +7,7 @@
 
 #include "gpu/commands.h"
 #include "gpu/texture.h"
-
+#include "render/pixels/develop.h"
 #include "shared/develop.h"
 #include "shared/glare.h"
 
@@ -43,11 +43,16 @@ public:
     // After record, where it is on: develops what see() would make, without making it.
     void develop(gpu::Commands& commands, const gpu::Texture& frame, const gpu::Buffer& exposure,
                  const gpu::Texture& picture, std::uint32_t tone);
+    // The same as record on this processor, whose memory all textures lie in.
+    SeenFrame on_processor(const Plane& frame, float brightest, float pixels_per_rad);
     std::uint64_t memory_bytes() const;
 
 private:
-    // What adds to the picture: of the levels, or the far one where there is but one.
-    const gpu::Texture& finest() const { return levels_.size() > 1 ? levels_.front() : far_; }
+    float prepare(float brightest, float pixels_per_rad);
+    // What adds to a level k - 1, of 0 to the picture: level k with all that is scattered farther, at last
+    // the far one; and its weight.
+    const gpu::Texture& scattered(std::size_t k) const { return k + 1 < levels_.size() ? levels_[k] : far_; }
+    float scattered_weight(std::size_t k) const { return k + 1 < levels_.size() ? 1.0f : weights_.back(); }
 
     GlareSettings settings_;
     std::array<std::unique_ptr<gpu::Program>, 2> down_; // from a level, from the frame

@@ -4,6 +4,7 @@
 #include "base/check.h"
 #include "base/log.h"
 #include "gpu/device_memory.h"
+#include "render/pixels/processor.h"
 #include "shaders/bounce.h"
 #include "shaders/clear_tiles.h"
 #include "shaders/cull.h"
@@ -339,6 +340,9 @@ void Relighter::make_images() {
     shape.layers = static_cast<std::uint32_t>(slot_count_) + kFixedImages;
     kept_ = gpu::Texture(device_, shape);
 
+    on_processor_ = settings_.pixels_on_processor && device_.is_cpu() && has_vectors() && f.base.mapped() &&
+                    frame_.mapped() && kept_.mapped() && drawn_.mapped();
+
     std::string lowered;
     if (distances_ && distances_->side() < distances_->wanted_side())
         lowered += ", shadow maps of " + std::to_string(distances_->side()) + " texels a side instead of " +
@@ -397,8 +401,7 @@ FrameStatistics Relighter::draw(const scene::FrameLights& lit, const std::functi
         stop_ = stop;
         drawing_ = &statistics;
         if (make_images_of(plan, statistics)) {
-            develop(lit);
-            commands_.copy(work_, work_read_, sizeof(shared::FrameWork));
+            finish_frame(lit);
             run_commands(statistics);
         }
         stop_ = {};
@@ -484,50 +487,6 @@ int Relighter::patch(const ImageSum& sum) {
     draw_sum(patch);
     mended_tiles_ = 0;
     return static_cast<int>(patch.lights.size() - sum.lights.size());
-}
-
-void Relighter::develop(const scene::FrameLights& lit) {
-    const Fragments& f = seen();
-    if (coarse_) coarse_->spread(commands_, frame_);
-    if (room_light_) room_light_->record(commands_, *g_buffer_, settings_.illuminance, frame_);
-    // Illuminance is what falls on a surface.
-    if (!lit.walls.empty() && !settings_.illuminance) {
-        commands_.begin_span("walls");
-        led_walls_.record(commands_, f, lit.walls, gobos_, slides_, frame_);
-    }
-    if (settings_.lens.on) {
-        commands_.begin_span("lenses");
-        lens_.record(commands_, f, f.camera, lit.faces, gobos_, slides_, frame_);
-    }
-    if (glare_.on()) {
-        commands_.begin_span("glare");
-        glare_.record(commands_, frame_, lens_.brightest() + led_walls_.brightest(), f.pixels_per_rad);
-    }
-    // Measured by what is seen; where it is not measured nothing else wants that (frame() makes it).
-    const bool sees = settings_.auto_exposure || !glare_.on();
-    if (sees) glare_.see(commands_, frame_);
-    saw_ = sees;
-    const gpu::Texture& seen = glare_.seen(frame_);
-    const shared::MeterPush meter{f.width, f.height, settings_.ev100, settings_.auto_exposure ? 1u : 0u};
-    commands_.begin_span("meter");
-    commands_.dispatch(
-        meter_, meter,
-        shaders::MeterBindings{.frame = gpu::stored(seen), .exposure = gpu::storage(exposure_)}, 1);
-    commands_.barrier();
-    commands_.begin_span("develop");
-    const auto tone = static_cast<std::uint32_t>(settings_.tone);
-    if (sees) {
-        commands_.dispatch(develop_[tone].get(), 0u,
-                           shaders::DevelopBindings{.frame = gpu::stored(seen),
-                                                    .exposure = gpu::uniform(exposure_),
-                                                    .picture = gpu::stored(picture_)},
-                           f.tiles_x, f.tiles_y);
-        commands_.barrier();
-    } else {
-        glare_.develop(commands_, frame_, exposure_, picture_, tone);
-    }
-    commands_.begin_span("read back");
-    commands_.copy(picture_, pixels_);
 }
 
 image::Image8 Relighter::picture() const {

@@ -67,6 +67,8 @@ struct Settings {
     std::uint32_t most_groups = 0;         // of a dispatch of many lights; 0: what the device has
     std::uint32_t lights_per_dispatch = 0; // 0: what suits the device; 1 or kLightsPerChunk (shared/push.h)
     bool reuse = true;                     // false: every light is drawn in every frame
+    // Where the device is a processor with the vectors for it: render/pixels instead of shaders.
+    bool pixels_on_processor = true;
     bool coarse = false; // of a G-buffer, gate: lights at half its sides (render/relight/coarse_light.h)
 };
 
@@ -156,6 +158,11 @@ private:
     void clear_drawn();
     void draw_sum(const ImageSum& sum);
     void add_images(const ImageSum& sum);
+    void add_on_processor(const ImageSum& sum);
+    void spread_on_processor();
+    void develop_on_processor();
+    // Does what was recorded, then a step of render/pixels, as a span.
+    void step_on_processor(const char* span, const std::function<void()>& step);
     const gpu::Program& sum_of(std::uint32_t parts, std::uint32_t addends);
     int mend(int slot);
     int patch(const ImageSum& sum);
@@ -165,7 +172,9 @@ private:
     // Both: false where it was stopped.
     bool draw_lights(const std::vector<shared::Light>& lights, std::uint32_t beam_class, bool wide);
     void record_surfaces(const LightChunk& chunk, std::uint64_t keeps_offset);
-    void develop(const scene::FrameLights& lit);
+    void finish_frame(const scene::FrameLights& lit);
+    void add_to_frame(const scene::FrameLights& lit);
+    void develop();
     const Fragments& seen() const { return g_buffer_ ? g_buffer_->fragments() : passes_.fragments; }
     const Fragments& fragments() const { return coarse_ ? coarse_->fragments() : seen(); } // lights fall on
     // Of a G-buffer: where the extra fragments of tiles lie that lights fall on, and normals.
@@ -184,6 +193,7 @@ private:
     LightTree tree_;
     std::unique_ptr<Visibility> visibility_; // null: from passes, without shadows, or none is kept
     bool pages_full_ = false;
+    bool on_processor_ = false; // sum of the frame, spread, glare, tone curve
     bool flies_ = false;
     bool owes_ = false; // the last frame has parts that are stale
     // Not of a picture at rest, whose lights are drawn once each, nor of one of a moment.

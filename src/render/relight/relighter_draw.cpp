@@ -126,6 +126,10 @@ void Relighter::draw_sum(const ImageSum& sum) {
 }
 
 void Relighter::add_images(const ImageSum& sum) {
+    if (on_processor_ && sum.target < 0 && mended_tiles_ == 0) {
+        add_on_processor(sum);
+        return;
+    }
     const Fragments& f = fragments();
     const gpu::Buffer& tile_list = dirty_tiles_ ? dirty_tiles_->tiles() : f.tile_bounds;
     CHECK(sum.addends.size() <= shared::kMostAddends);

@@ -24,10 +24,6 @@ image::ImageF drawn(const scene::Passes& passes, const std::vector<shared::Light
     return relighter.frame();
 }
 
-scene::Passes white_wall(int width, int height) {
-    return wall_passes(camera_at({0.5f, -8, 2}, {0, 4, 2.5f}, 30, width, height), 4.0f);
-}
-
 // A pass of radiance 1: the picture is the beam itself.
 TEST_F(Surfaces, BeamOnTheGpuIsTheBeamInCpp) {
     scene::Passes passes = white_wall(160, 90);
@@ -177,51 +173,6 @@ TEST_F(Surfaces, BouncedLightFollowsTheLumens) {
             ASSERT_NEAR(picture.samples[3 * p + c], expected, 0.003f * expected + 1e-4f) << p;
         }
     }
-}
-
-// A wall in disorder: every pixel with 0 to 3 extra fragments at other places and coverage of their own.
-scene::Passes edgy_passes(std::mt19937& random, int width, int height) {
-    const auto unit = [&] { return static_cast<float>(random() >> 8) / 16777216.0f; };
-    scene::Passes passes = white_wall(width, height);
-    std::vector<glm::vec4> extra;
-    for (std::size_t p = 0; p < passes.pixel_count(); ++p) {
-        passes.extra_first[p] = static_cast<std::uint32_t>(extra.size());
-        const unsigned kind = random() % 8;
-        if (kind == 0) {
-            passes.fragments[p] = glm::vec4(0, 0, 0, -1);
-            continue;
-        }
-        if (kind > 3) continue;
-        passes.fragments[p].w = 0.4f;
-        for (unsigned k = 0; k < kind; ++k) {
-            const vec3 eye = eye_of(passes);
-            const vec3 nearer = eye + (vec3(passes.fragments[p]) - eye) * (0.3f + 0.6f * unit());
-            extra.emplace_back(nearer, 0.2f);
-        }
-    }
-    passes.extra_first.back() = static_cast<std::uint32_t>(extra.size());
-    passes.fragments.insert(passes.fragments.end(), extra.begin(), extra.end());
-    return passes;
-}
-
-std::vector<shared::Light> random_rig(std::mt19937& random, scene::Passes& passes, int count) {
-    const auto unit = [&] { return static_cast<float>(random() >> 8) / 16777216.0f; };
-    std::vector<shared::Light> lights;
-    for (int k = 0; k < count; ++k) {
-        const vec3 from(-5.0f + 10.0f * unit(), -6.0f + 8.0f * unit(), 4.0f + 3.0f * unit());
-        lights.push_back(random_light(random, from, {-3.0f + 6.0f * unit(), 4, 4.0f * unit()}));
-        // Of two pixels and more: narrower beams are dots (shaders/common/thin_dot.glsl).
-        lights.back().tan_field = std::max(lights.back().tan_field, 0.25f);
-        if (passes.lights.size() < 12) {
-            const vec3 colour(unit(), unit(), unit());
-            add_pass(passes, from, [&](const vec3& x) { return colour / glm::dot(x - from, x - from); });
-        }
-        lights.back().pass = static_cast<std::uint32_t>(k % 13); // one of them beyond the passes: dark
-        if (k % 13 == 12) lights.back().pass = static_cast<std::uint32_t>(passes.lights.size());
-    }
-    for (shared::Light& light : lights)
-        light.pass = std::min(light.pass, static_cast<std::uint32_t>(passes.lights.size()));
-    return lights;
 }
 
 TEST_F(Surfaces, GpuAgreesWithCpu) {

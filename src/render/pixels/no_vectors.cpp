@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+// Processors that the steps are not written for (has_vectors): nothing here is ever called.
+#if !defined(__x86_64__)
+#include "base/check.h"
+#include "render/pixels/develop.h"
+#include "render/pixels/glare.h"
+#include "render/pixels/spread.h"
+#include "render/pixels/sum.h"
+
+namespace ghost::render {
+
+void add_pixels(const ImageAddition&, const Plane&, const Plane&) {
+    CHECK(false);
+}
+void add_points(const ImageAddition&, const Plane&, const Plane&) {
+    CHECK(false);
+}
+void spread_points(const CoarsePlanes&, const Plane&, const Plane&) {
+    CHECK(false);
+}
+void fold_extras(const CoarsePlanes&, const Plane&) {
+    CHECK(false);
+}
+void glare_down(const Plane&, const Plane&, float, bool) {
+    CHECK(false);
+}
+void glare_tail(const Plane&, const Plane&, float, float) {
+    CHECK(false);
+}
+void glare_up(const Plane&, const Plane&, float, float) {
+    CHECK(false);
+}
+void develop(const SeenFrame&, float, std::uint32_t, const Plane&) {
+    CHECK(false);
+}
+float metered_ev100(const SeenFrame&) {
+    CHECK(false);
+    return 0;
+}
+
+} // namespace ghost::render
+#endif

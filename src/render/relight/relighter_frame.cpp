@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: Apache-2.0
+// The part of Relighter that makes a picture of a sum of lights, by shaders or, where the device is this
+// processor, by itself.
+#include "base/check.h"
+#include "render/pixels/develop.h"
+#include "render/pixels/spread.h"
+#include "render/pixels/sum.h"
+#include "render/relight/planes.h"
+#include "render/relight/relighter.h"
+#include "shaders/develop.h"
+#include "shaders/meter.h"
+#include "shared/coarse.h"
+#include "shared/develop.h"
+
+#include <chrono>
+
+namespace ghost::render {
+
+void Relighter::step_on_processor(const char* span, const std::function<void()>& step) {
+    run_commands(*drawing_);
+    const auto start = std::chrono::steady_clock::now();
+    step();
+    const auto took = std::chrono::steady_clock::now() - start;
+    drawing_->spans.push_back({span, std::chrono::duration<double, std::milli>(took).count()});
+    commands_.begin();
+}
+
+void Relighter::add_on_processor(const ImageSum& sum) {
+    ImageAddition images;
+    for (const Addend& addend : sum.addends) {
+        const glm::vec3 weight = addend.light >= 0 ? units_.weight(addend.light) : glm::vec3(1.0f);
+        if (weight == glm::vec3(0.0f)) continue;
+        images.kept.push_back({kept_.mapped(static_cast<std::uint32_t>(addend.slot)), weight});
+    }
+    images.kept_row_bytes = kept_.row_bytes();
+    if (!sum.lights.empty()) {
+        images.surfaces = plane_of(drawn_, 0);
+        images.haze = plane_of(drawn_, 1);
+        images.corners = settings_.beams.beams != Beams::gate;
+    }
+    const Fragments& f = fragments();
+    for (Plane* plane : {&images.surfaces, &images.haze}) // extra fragments lie below the picture
+        if (*plane) plane->height = static_cast<int>(f.height);
+    step_on_processor("add", [&] {
+        if (coarse_)
+            add_points(images, plane_of(coarse_->sums(), shared::kCoarseWhite),
+                       plane_of(coarse_->sums(), shared::kCoarseLight));
+        else
+            add_pixels(images, sum.base && !settings_.illuminance ? plane_of(f.base) : Plane{},
+                       plane_of(frame_));
+    });
+}
+
+void Relighter::spread_on_processor() {
+    const CoarsePlanes coarse = coarse_->planes();
+    step_on_processor("light spread",
+                      [&] { spread_points(coarse, plane_of(seen().base), plane_of(frame_)); });
+    if (coarse.edge_count > 0) step_on_processor("fold", [&] { fold_extras(coarse, plane_of(frame_)); });
+}
+
+void Relighter::develop_on_processor() {
+    SeenFrame seen_frame;
+    step_on_processor("glare", [&] {
+        seen_frame = glare_.on_processor(plane_of(frame_), lens_.brightest() + led_walls_.brightest(),
+                                         seen().pixels_per_rad);
+    });
+    saw_ = false; // frame() makes it
+    step_on_processor("develop", [&] {
+        const float ev100 = settings_.auto_exposure ? metered_ev100(seen_frame) : settings_.ev100;
+        const float exposure = shared::exposure_of(ev100);
+        *static_cast<glm::vec4*>(exposure_.mapped()) = {exposure, ev100, 0, 0};
+        const Plane picture{static_cast<std::uint8_t*>(pixels_.mapped()), std::size_t{4} * seen().width,
+                            static_cast<int>(seen().width), static_cast<int>(seen().height)};
+        ghost::render::develop(seen_frame, exposure, static_cast<std::uint32_t>(settings_.tone), picture);
+    });
+}
+
+void Relighter::finish_frame(const scene::FrameLights& lit) {
+    if (on_processor_ && coarse_)
+        spread_on_processor();
+    else if (coarse_)
+        coarse_->spread(commands_, frame_);
+    add_to_frame(lit);
+    commands_.copy(work_, work_read_, sizeof(shared::FrameWork));
+    if (on_processor_)
+        develop_on_processor();
+    else
+        develop();
+}
+
+void Relighter::add_to_frame(const scene::FrameLights& lit) {
+    const Fragments& f = seen();
+    if (room_light_) room_light_->record(commands_, *g_buffer_, settings_.illuminance, frame_);
+    // Illuminance is what falls on a surface.
+    if (!lit.walls.empty() && !settings_.illuminance) {
+        commands_.begin_span("walls");
+        led_walls_.record(commands_, f, lit.walls, gobos_, slides_, frame_);
+    }
+    if (settings_.lens.on) {
+        commands_.begin_span("lenses");
+        lens_.record(commands_, f, f.camera, lit.faces, gobos_, slides_, frame_);
+    }
+}
+
+void Relighter::develop() {
+    const Fragments& f = seen();
+    if (glare_.on()) {
+        commands_.begin_span("glare");
+        glare_.record(commands_, frame_, lens_.brightest() + led_walls_.brightest(), f.pixels_per_rad);
+    }
+    // Measured by what is seen; where it is not measured nothing else wants that (frame() makes it).
+    const bool sees = settings_.auto_exposure || !glare_.on();
+    if (sees) glare_.see(commands_, frame_);
+    saw_ = sees;
+    const gpu::Texture& seen = glare_.seen(frame_);
+    const shared::MeterPush meter{f.width, f.height, settings_.ev100, settings_.auto_exposure ? 1u : 0u};
+    commands_.begin_span("meter");
+    commands_.dispatch(
+        meter_, meter,
+        shaders::MeterBindings{.frame = gpu::stored(seen), .exposure = gpu::storage(exposure_)}, 1);
+    commands_.barrier();
+    commands_.begin_span("develop");
+    const auto tone = static_cast<std::uint32_t>(settings_.tone);
+    if (sees) {
+        commands_.dispatch(develop_[tone].get(), 0u,
+                           shaders::DevelopBindings{.frame = gpu::stored(seen),
+                                                    .exposure = gpu::uniform(exposure_),
+                                                    .picture = gpu::stored(picture_)},
+                           f.tiles_x, f.tiles_y);
+        commands_.barrier();
+    } else {
+        glare_.develop(commands_, frame_, exposure_, picture_, tone);
+    }
+    commands_.begin_span("read back");
+    commands_.copy(picture_, pixels_);
+}
+
+} // namespace ghost::render
