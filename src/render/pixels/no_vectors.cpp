@@ -12,6 +12,9 @@ namespace ghost::render {
 void add_pixels(const ImageAddition&, const Plane&, const Plane&) {
     CHECK(false);
 }
+void keep_pixels(const ImageAddition&, const Plane&, int, const Plane&) {
+    CHECK(false);
+}
 void add_points(const ImageAddition&, const Plane&, const Plane&) {
     CHECK(false);
 }

@@ -6,6 +6,7 @@
 #include "shared/push.h"
 
 #include <algorithm>
+#include <functional>
 
 #if defined(__x86_64__)
 namespace ghost::render {
@@ -90,9 +91,10 @@ VECTORS F8 mean_of_corners(const Plane& haze, int x, int y) {
     return _mm256_mul_ps(_mm256_set1_ps(0.25f), sum);
 }
 
+// Of a row of pixels: to the frame, or to a kept image.
 VECTORS void add_pixel_row(const ImageAddition& images, const std::vector<Weighted>& rows, const Plane& base,
-                           const Plane& frame, int y) {
-    const int texels = (frame.width + 1) / 2;
+                           int width, const Plane& frame, const Plane& kept, int y) {
+    const int texels = (width + 1) / 2;
     float sums[8 * kTogether];
     for (int first = 0; first < texels; first += kTogether) {
         const int count = std::min(kTogether, texels - first);
@@ -100,14 +102,19 @@ VECTORS void add_pixel_row(const ImageAddition& images, const std::vector<Weight
         for (int k = 0; k < count; ++k) {
             const int x = 2 * (first + k);
             F8 sum = spread_six(_mm256_loadu_ps(sums + 8 * k));
-            if (base) sum = _mm256_add_ps(sum, load_pair(base.row(y), x, frame.width));
+            if (base) sum = _mm256_add_ps(sum, load_pair(base.row(y), x, width));
             if (images.surfaces) {
-                sum = _mm256_add_ps(sum, load_pair(images.surfaces.row(y), x, frame.width));
+                sum = _mm256_add_ps(sum, load_pair(images.surfaces.row(y), x, width));
                 sum = _mm256_add_ps(sum, images.corners ? mean_of_corners(images.haze, x, y)
-                                                        : load_pair(images.haze.row(y), x, frame.width));
+                                                        : load_pair(images.haze.row(y), x, width));
+            }
+            if (kept) {
+                store_halves(kept.row(y) + kTexelBytes * static_cast<std::size_t>(first + k),
+                             to_six(to_store(sum)));
+                continue;
             }
             std::uint8_t* to = frame.row(y) + kPixelBytes * static_cast<std::size_t>(x);
-            if (x + 1 < frame.width)
+            if (x + 1 < width)
                 store_halves(to, to_store(sum));
             else
                 store_four_halves(to, to_store(sum));
@@ -132,34 +139,45 @@ VECTORS void add_point_row(const ImageAddition& images, const std::vector<Weight
                     _mm256_castps256_ps128(load_four_halves(images.haze.row(y) + kPixelBytes * x));
                 sum = _mm256_add_ps(sum, without_alpha(_mm256_set_m128(haze, light)));
             }
-            const __m128 by = _mm_loadu_ps(reinterpret_cast<const float*>(white.row(y) + kTexelBytes * x));
-            sum = without_alpha(_mm256_mul_ps(sum, _mm256_set_m128(one, by)));
+            if (white) {
+                const __m128 by =
+                    _mm_loadu_ps(reinterpret_cast<const float*>(white.row(y) + kTexelBytes * x));
+                sum = without_alpha(_mm256_mul_ps(sum, _mm256_set_m128(one, by)));
+            }
             store_halves(points.row(y) + kTexelBytes * x, to_six(to_store(sum)));
         }
     }
 }
 
-} // namespace
-
-void add_pixels(const ImageAddition& images, const Plane& base, const Plane& frame) {
+void each_sum(const ImageAddition& images, int height,
+              const std::function<void(const std::vector<Weighted>&, int y)>& row) {
     const std::vector<float> lanes = lanes_of(images.kept);
-    each_rows(frame.height, [&](int from, int to) {
+    each_rows(height, [&](int from, int to) {
         std::vector<Weighted> rows;
         for (int y = from; y < to; ++y) {
             rows_of(images, lanes, y, rows);
-            add_pixel_row(images, rows, base, frame, y);
+            row(rows, y);
         }
     });
 }
 
+} // namespace
+
+void add_pixels(const ImageAddition& images, const Plane& base, const Plane& frame) {
+    each_sum(images, frame.height, [&](const std::vector<Weighted>& rows, int y) {
+        add_pixel_row(images, rows, base, frame.width, frame, {}, y);
+    });
+}
+
+void keep_pixels(const ImageAddition& images, const Plane& base, int width, const Plane& kept) {
+    each_sum(images, kept.height, [&](const std::vector<Weighted>& rows, int y) {
+        add_pixel_row(images, rows, base, width, {}, kept, y);
+    });
+}
+
 void add_points(const ImageAddition& images, const Plane& white, const Plane& points) {
-    const std::vector<float> lanes = lanes_of(images.kept);
-    each_rows(points.height, [&](int from, int to) {
-        std::vector<Weighted> rows;
-        for (int y = from; y < to; ++y) {
-            rows_of(images, lanes, y, rows);
-            add_point_row(images, rows, white, points, y);
-        }
+    each_sum(images, points.height, [&](const std::vector<Weighted>& rows, int y) {
+        add_point_row(images, rows, white, points, y);
     });
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: Apache-2.0
 // sum.comp: kept images, each with its weight, the lights drawn just now, the picture without lights: to the
-// frame. Planes as the shader binds them; any thread, has_vectors().
+// frame or to an image that is kept. Planes as the shader binds them; any thread, has_vectors().
 
 #include "render/pixels/plane.h"
 
@@ -24,7 +24,10 @@ struct ImageAddition {
 
 // base: rgba16f, or none; frame: rgba16f.
 void add_pixels(const ImageAddition& images, const Plane& base, const Plane& frame);
-// white: rgba32f, what light is multiplied with to have it on white; points: rgba32ui (shared/coarse.h).
+// The same, of so many pixels a row to an image that is kept: rgba32ui, two pixels in a texel.
+void keep_pixels(const ImageAddition& images, const Plane& base, int width, const Plane& kept);
+// white: rgba32f, what light is multiplied with to have it on white, or none; points: rgba32ui
+// (shared/coarse.h), the frame's or kept ones.
 void add_points(const ImageAddition& images, const Plane& white, const Plane& points);
 
 } // namespace ghost::render

@@ -126,7 +126,7 @@ void Relighter::draw_sum(const ImageSum& sum) {
 }
 
 void Relighter::add_images(const ImageSum& sum) {
-    if (on_processor_ && sum.target < 0 && mended_tiles_ == 0) {
+    if (on_processor_ && mended_tiles_ == 0) {
         add_on_processor(sum);
         return;
     }

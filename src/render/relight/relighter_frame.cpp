@@ -41,13 +41,19 @@ void Relighter::add_on_processor(const ImageSum& sum) {
     const Fragments& f = fragments();
     for (Plane* plane : {&images.surfaces, &images.haze}) // extra fragments lie below the picture
         if (*plane) plane->height = static_cast<int>(f.height);
+    const Plane base = sum.base && !settings_.illuminance ? plane_of(f.base) : Plane{};
+    const bool to_frame = sum.target < 0;
+    const Plane kept = to_frame ? Plane{} : plane_of(kept_, static_cast<std::uint32_t>(sum.target));
     step_on_processor("add", [&] {
-        if (coarse_)
+        if (coarse_ && to_frame)
             add_points(images, plane_of(coarse_->sums(), shared::kCoarseWhite),
                        plane_of(coarse_->sums(), shared::kCoarseLight));
+        else if (coarse_)
+            add_points(images, {}, kept);
+        else if (to_frame)
+            add_pixels(images, base, plane_of(frame_));
         else
-            add_pixels(images, sum.base && !settings_.illuminance ? plane_of(f.base) : Plane{},
-                       plane_of(frame_));
+            keep_pixels(images, base, static_cast<int>(f.width), kept);
     });
 }
 
