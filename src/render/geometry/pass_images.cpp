@@ -88,7 +88,7 @@ PassImages make_pass_images(const gpu::Device& device, const scene::Passes& pass
     std::vector<glm::uvec2> edges = layout.edges;
     const std::uint32_t edge_rows = std::max(gpu::groups(f.edge_count, f.width), 1u);
     edges.resize(static_cast<std::size_t>(edge_rows) * f.width);
-    f.edges = gpu::Texture(device, {f.width, edge_rows, 1, 1, VK_FORMAT_R32G32_UINT});
+    f.edges = gpu::Texture(device, {f.width, edge_rows, 1, 1, VK_FORMAT_R32G32_UINT, true, false});
     f.edges.write(0, edges.data(), edges.size() * sizeof(glm::uvec2));
     // Whole blocks, so that the last one needs no bound; what no fragment fills is no surface.
     const std::uint32_t rows = f.height + gpu::groups(f.blocks * shared::kTilePixels, f.width);

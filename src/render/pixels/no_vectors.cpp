@@ -3,6 +3,7 @@
 #if !defined(__x86_64__)
 #include "base/check.h"
 #include "render/pixels/develop.h"
+#include "render/pixels/fold.h"
 #include "render/pixels/glare.h"
 #include "render/pixels/spread.h"
 #include "render/pixels/sum.h"
@@ -22,6 +23,9 @@ void spread_points(const CoarsePlanes&, const Plane&, const Plane&) {
     CHECK(false);
 }
 void fold_extras(const CoarsePlanes&, const Plane&) {
+    CHECK(false);
+}
+void fold_fragments(const FragmentPlanes&) {
     CHECK(false);
 }
 void glare_down(const Plane&, const Plane&, float, bool) {

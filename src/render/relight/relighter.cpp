@@ -341,7 +341,7 @@ void Relighter::make_images() {
     kept_ = gpu::Texture(device_, shape);
 
     on_processor_ = settings_.pixels_on_processor && device_.is_cpu() && has_vectors() && f.base.mapped() &&
-                    frame_.mapped() && kept_.mapped() && drawn_.mapped();
+                    f.edges.mapped() && frame_.mapped() && kept_.mapped() && drawn_.mapped();
 
     std::string lowered;
     if (distances_ && distances_->side() < distances_->wanted_side())

@@ -158,6 +158,7 @@ private:
     void clear_drawn();
     void draw_sum(const ImageSum& sum);
     void add_images(const ImageSum& sum);
+    void fold_on_processor();
     void add_on_processor(const ImageSum& sum);
     void spread_on_processor();
     void develop_on_processor();

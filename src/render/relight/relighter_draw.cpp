@@ -111,16 +111,21 @@ void Relighter::draw_sum(const ImageSum& sum) {
                                gpu::groups(f.edge_count, 64));
             commands_.barrier();
         }
-        commands_.dispatch(fold_, shared::FoldPush{f.edge_count, mended_tiles_ > 0 ? 1u : 0u},
-                           shaders::FoldBindings{.view = gpu::uniform(f.view),
-                                                 .edges = gpu::sampled(f.edges),
-                                                 .drawn = gpu::stored(drawn_),
-                                                 .places = gpu::stored(f.places),
-                                                 .rooms = gpu::storage(g_buffer_ ? rooms() : f.tile_bounds),
-                                                 .tile_list = gpu::storage(tile_list),
-                                                 .sources = gpu::stored(haze_sources_)},
-                           mended_tiles_ > 0 ? mended_tiles_ : gpu::groups(f.edge_count, 64));
-        commands_.barrier();
+        if (on_processor_ && mended_tiles_ == 0) {
+            fold_on_processor();
+        } else {
+            commands_.dispatch(
+                fold_, shared::FoldPush{f.edge_count, mended_tiles_ > 0 ? 1u : 0u},
+                shaders::FoldBindings{.view = gpu::uniform(f.view),
+                                      .edges = gpu::sampled(f.edges),
+                                      .drawn = gpu::stored(drawn_),
+                                      .places = gpu::stored(f.places),
+                                      .rooms = gpu::storage(g_buffer_ ? rooms() : f.tile_bounds),
+                                      .tile_list = gpu::storage(tile_list),
+                                      .sources = gpu::stored(haze_sources_)},
+                mended_tiles_ > 0 ? mended_tiles_ : gpu::groups(f.edge_count, 64));
+            commands_.barrier();
+        }
     }
     add_images(sum);
 }

@@ -3,6 +3,7 @@
 // processor, by itself.
 #include "base/check.h"
 #include "render/pixels/develop.h"
+#include "render/pixels/fold.h"
 #include "render/pixels/spread.h"
 #include "render/pixels/sum.h"
 #include "render/relight/planes.h"
@@ -23,6 +24,20 @@ void Relighter::step_on_processor(const char* span, const std::function<void()>&
     const auto took = std::chrono::steady_clock::now() - start;
     drawing_->spans.push_back({span, std::chrono::duration<double, std::milli>(took).count()});
     commands_.begin();
+}
+
+void Relighter::fold_on_processor() {
+    const Fragments& f = fragments();
+    const FragmentPlanes planes{.width = static_cast<int>(f.width),
+                                .height = static_cast<int>(f.height),
+                                .surfaces = plane_of(drawn_, 0),
+                                .haze = settings_.air ? plane_of(drawn_, 1) : Plane{},
+                                .places = plane_of(f.places),
+                                .edges = plane_of(f.edges),
+                                .sources = plane_of(haze_sources_),
+                                .edge_count = f.edge_count,
+                                .corners = settings_.beams.beams != Beams::gate};
+    step_on_processor("fold", [&] { fold_fragments(planes); });
 }
 
 void Relighter::add_on_processor(const ImageSum& sum) {

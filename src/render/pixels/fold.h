@@ -1,0 +1,26 @@
+#pragma once
+// SPDX-License-Identifier: Apache-2.0
+// fold.comp: adds the light of extra fragments to their pixels, and mends the haze of these. Planes as the
+// shader binds them; any thread, has_vectors().
+
+#include "render/pixels/plane.h"
+
+#include <cstdint>
+
+namespace ghost::render {
+
+struct FragmentPlanes {
+    int width = 0; // of the picture; extra fragments lie in rows below it
+    int height = 0;
+    Plane surfaces; // rgba16f
+    Plane haze;     // rgba16f, of the picture; or none
+    Plane places;   // rgba32f
+    Plane edges;    // rg32ui
+    Plane sources;  // r16ui, as edges: of haze (silhouettes.comp)
+    std::uint32_t edge_count = 0;
+    bool corners = false; // haze was sampled at the corners of the pixels
+};
+
+void fold_fragments(const FragmentPlanes& fragments);
+
+} // namespace ghost::render
