@@ -136,6 +136,8 @@ void LivePicture::learn(const render::FrameStatistics& statistics, double draw_m
     constexpr int kMany = 16; // below, the time is that of the picture and not of its lights
     constexpr double kOfNew = 0.3;
     if (is_unusual_) return; // the first one costs what no other does
+    // A fade draws no light: what it takes says nothing of the lights that turn next.
+    if (statistics.drawn == 0 && statistics.mended == 0 && draw_ms <= 1000.0 / frames_per_s) return;
     paces_[flies_ ? 1 : 0].add(draw_ms, frames_per_s);
     if (statistics.drawn < kMany) return;
     const double ms = draw_ms / statistics.drawn;
