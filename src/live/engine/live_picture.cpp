@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "live/engine/live_picture.h"
 
+#include "base/steady_time.h"
 #include "gpu/device_memory.h"
 #include "live/session/picture_room.h"
 
@@ -19,6 +20,18 @@ constexpr float kWorkAtEv0_lux = 5; // stages are dark: makes what reflects a tw
 bool same_view(const scene::Camera& a, const scene::Camera& b) {
     return a.position_m == b.position_m && a.target_m == b.target_m && a.fov_y_deg == b.fov_y_deg &&
            a.width == b.width && a.height == b.height;
+}
+
+// The same picture with more pixels.
+bool is_larger(const scene::Camera& a, scene::Camera b) {
+    constexpr float kSameShape = 0.02f;
+    const auto shape = [](const scene::Camera& one) {
+        return static_cast<float>(one.width) / static_cast<float>(std::max(one.height, 1));
+    };
+    if (a.width <= b.width || std::abs(shape(a) / shape(b) - 1) > kSameShape) return false;
+    b.width = a.width;
+    b.height = a.height;
+    return same_view(a, b);
 }
 
 // As bright as the exposure asks for: it must neither be lost in the dark nor drown everything.
@@ -53,16 +66,25 @@ LivePicture::Drawn LivePicture::draw(Session& session, const Wanted& wanted, con
     sees_else_ = sees_else_ || lands;
     const bool moves = wanted.moves || drawn.changed;
     fit_into_memory(wanted.camera, session);
-    const scene::Camera camera = camera_for(wanted, moves);
+    scene::Camera camera = camera_for(wanted, moves);
     if (!moves && !session.prepare(camera, stop)) {
         drawn.statistics.stopped = true;
         return drawn;
     }
-    const bool uses_coarse =
+    bool uses_coarse =
         moves && wanted.quality.percent == 0 && pace().level().coarse_light && !wanted.is_measured;
+    // A better level, whose stage takes a second to draw, comes when that is done, a part in each picture.
+    const bool grows = moves && is_larger(camera, from_);
+    was_prepared_ = was_prepared_ && grows;
+    const bool waits = grows && !prepare_part(camera, session);
+    if (waits) {
+        camera.width = from_.width;
+        camera.height = from_.height;
+        uses_coarse = session.relighter->is_coarse();
+    }
     const bool is_other_size =
         camera.width != session.relighter->width() || camera.height != session.relighter->height();
-    is_unusual_ = lands || is_other_size || uses_coarse != session.relighter->is_coarse();
+    is_unusual_ = waits || lands || is_other_size || uses_coarse != session.relighter->is_coarse();
     if (std::exchange(sees_else_, false) || !same_view(camera, from_)) {
         if (is_other_size) probe_.forget_meter();
         session.look_from(camera, flies, uses_coarse);
@@ -77,6 +99,14 @@ LivePicture::Drawn LivePicture::draw(Session& session, const Wanted& wanted, con
     session.relighter->set_most_lights(moves ? lights_in(1000.0 / wanted.quality.fps) : 0);
     drawn.statistics = session.draw(wanted.air_s, moves ? std::function<bool()>{} : stop);
     return drawn;
+}
+
+bool LivePicture::prepare_part(const scene::Camera& camera, Session& session) {
+    constexpr double kPart_s = 0.01;
+    const double begin_s = steady_now_s();
+    const bool is_done = session.prepare(camera, [&] { return steady_now_s() - begin_s > kPart_s; });
+    // The last part takes long enough for one picture.
+    return std::exchange(was_prepared_, is_done) && is_done;
 }
 
 bool LivePicture::set_work_light(const Wanted& wanted, const Session& session) {

@@ -67,6 +67,7 @@ public:
 
 private:
     bool set_work_light(const Wanted& wanted, const Session& session);
+    bool prepare_part(const scene::Camera& camera, Session& session); // true: all of it was done before
     void fit_into_memory(const scene::Camera& wanted, Session& session);
     scene::Camera camera_for(const Wanted& wanted, bool moves) const;
     int lights_in(double frame_ms) const;
@@ -79,9 +80,10 @@ private:
     glm::ivec2 whole_{0}, whole_for_{0};          // pixels that memory holds; of those that are wanted
     scene::Camera from_;                          // of the one that was drawn last
     bool sees_else_ = false;                      // since then
-    bool is_unusual_ = false; // it has another size, or a camera that begins or ends to fly
-    double flew_s_ = -1;      // when its camera moved last
-    bool flies_ = false;      // drawn as Session::look_from says
+    bool is_unusual_ = false;   // it has another size, or a camera that begins or ends to fly
+    bool was_prepared_ = false; // the next size, in the picture before
+    double flew_s_ = -1;        // when its camera moved last
+    bool flies_ = false;        // drawn as Session::look_from says
     float work_lux_ = 0;
     double light_ms_ = 0; // of a light that turns, where many do; 0: not known
 };
