@@ -112,6 +112,7 @@ TEST(Batches, FourHundredLightsAreOneSubmissionOfFewDispatches) {
     render::Settings settings = bench_settings();
     settings.lights_per_dispatch = shared::kLightsPerChunk;
     settings.image_memory_bytes = 0;
+    settings.pixels_on_processor = false; // as on a GPU
     render::Relighter relighter(*device, passes, bench_gobos(), kLights, settings);
     gpu::RecordedWork before;
     for (const double seconds : {0.0, 0.1}) {
