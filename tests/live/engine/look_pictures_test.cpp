@@ -23,7 +23,7 @@ TEST(LookPictures, are_made_one_a_second_and_a_hundred_at_most) {
     ui::Link link;
     link.on_news = [] {};
     LookPictures pictures(link);
-    for (const std::size_t count : {std::size_t{2}, kMost, kMost + 1}) {
+    for (const std::size_t count : {std::size_t{2}, kMost + 1}) {
         auto looks = std::make_shared<std::vector<scene::StoredLook>>(count); // all dark
         for (std::size_t k = 0; k < count; ++k) (*looks)[k].name = std::to_string(k);
         ui::LooksNow now;
