@@ -24,6 +24,7 @@ LIBRARIES = {
     "embree4/": {"rays"},
     "tbb/": {"reference", "bake", "render/geometry", "render/haze", "render/pixels"},
     "immintrin.h": {"render/pixels"},
+    "cpuid.h": {"render/pixels"},
     "qrencode.h": {"web"},
     "zip.h": {"archives", "mvr"},
     "xxhash.h": {"bake"},

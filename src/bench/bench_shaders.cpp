@@ -31,6 +31,7 @@ Result<std::vector<gpu::PipelineMade>> pipelines_drawn_with(const BenchOptions& 
         opening.beams.most_wide_step = live ? 2 : 1;
         opening.pipeline_statistics = true;
         opening.lights_per_dispatch = options.lights_per_dispatch;
+        opening.pixels_on_processor = false; // all of them
         TRY(const std::unique_ptr<Session> session, open_session(opening));
         TRY(dmx::Recording recording, dmx::open_recording(session->show->recording, {}, true));
         dmx::Player player(std::move(recording));

@@ -62,6 +62,7 @@ struct SessionOptions {
     std::string shaders;                   // likewise
     bool pipeline_statistics = false;      // likewise
     std::uint32_t lights_per_dispatch = 0; // render::Settings
+    bool pixels_on_processor = true;       // likewise
     gpu::LoweredLimits lowered_limits;     // gpu::DeviceOptions
 };
 

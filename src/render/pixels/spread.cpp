@@ -120,7 +120,7 @@ VECTORS void fold_edge(const CoarsePlanes& coarse, const Plane& frame, std::uint
     const std::uint8_t* below = coarse.points.row(std::clamp(cell_y, 0, last_y));
     const F8 a = load_point(above, cell_x - 1, last_x), b = load_point(above, cell_x, last_x),
              c = load_point(below, cell_x - 1, last_x), d = load_point(below, cell_x, last_x);
-    const auto k = static_cast<std::size_t>(((x + 1) & 1) + 2 * ((y + 1) & 1));
+    const std::size_t k = ((x + 1) % 2 == 0 ? 0u : 1u) + ((y + 1) % 2 == 0 ? 0u : 2u);
     const auto main_haze = value_at<std::uint32_t>(coarse.hazes.row(cell_y) +
                                                    kTexelBytes * static_cast<std::size_t>(cell_x) + 4 * k);
     // The haze of the main fragment, as what is taken away: no weight for light.

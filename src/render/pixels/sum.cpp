@@ -60,7 +60,7 @@ VECTORS void add_kept(const std::vector<Weighted>& rows, int texel, int count, f
         for (const Weighted& image : rows)
             sum = _mm256_fmadd_ps(load_halves(image.row + offset + kTexelBytes * static_cast<std::size_t>(k)),
                                   _mm256_loadu_ps(image.weight), sum);
-        _mm256_storeu_ps(sums + 8 * k, sum);
+        _mm256_storeu_ps(sums + std::ptrdiff_t{8} * k, sum);
     }
 }
 
@@ -101,7 +101,7 @@ VECTORS void add_pixel_row(const ImageAddition& images, const std::vector<Weight
         add_kept(rows, first, count, sums);
         for (int k = 0; k < count; ++k) {
             const int x = 2 * (first + k);
-            F8 sum = spread_six(_mm256_loadu_ps(sums + 8 * k));
+            F8 sum = spread_six(_mm256_loadu_ps(sums + std::ptrdiff_t{8} * k));
             if (base) sum = _mm256_add_ps(sum, load_pair(base.row(y), x, width));
             if (images.surfaces) {
                 sum = _mm256_add_ps(sum, load_pair(images.surfaces.row(y), x, width));
@@ -130,8 +130,8 @@ VECTORS void add_point_row(const ImageAddition& images, const std::vector<Weight
         const int count = std::min(kTogether, points.width - first);
         add_kept(rows, first, count, sums);
         for (int k = 0; k < count; ++k) {
-            const auto x = static_cast<std::size_t>(first + k);
-            F8 sum = spread_six(_mm256_loadu_ps(sums + 8 * k));
+            const std::size_t x = static_cast<std::size_t>(first) + static_cast<std::size_t>(k);
+            F8 sum = spread_six(_mm256_loadu_ps(sums + std::ptrdiff_t{8} * k));
             if (images.surfaces) {
                 const __m128 light =
                     _mm256_castps256_ps128(load_four_halves(images.surfaces.row(y) + kPixelBytes * x));

@@ -184,10 +184,10 @@ void CoarseLight::record_extras(gpu::Commands& commands, bool listed) {
     commands.barrier();
 }
 
-void CoarseLight::spread(gpu::Commands& commands, const gpu::Texture& frame) const {
+void CoarseLight::spread(gpu::Commands& commands, const gpu::Texture& frame) {
     const Fragments& f = g_buffer_.fragments();
     commands.begin_span("light spread");
-    commands.dispatch(spread_, 0u,
+    commands.dispatch(spread_.get(), 0u,
                       shaders::CoarseSpreadBindings{.sums = gpu::stored(sums_),
                                                     .cells = gpu::stored(cells_),
                                                     .base = gpu::stored(f.base),
@@ -197,7 +197,7 @@ void CoarseLight::spread(gpu::Commands& commands, const gpu::Texture& frame) con
     commands.barrier();
     if (f.edge_count == 0) return;
     commands.begin_span("fold");
-    commands.dispatch(fold_, push_of(f.tiles_x, false, f.edge_count),
+    commands.dispatch(fold_.get(), push_of(f.tiles_x, false, f.edge_count),
                       shaders::CoarseFoldBindings{.sums = gpu::stored(sums_),
                                                   .cells = gpu::stored(cells_),
                                                   .edges = gpu::sampled(f.edges),

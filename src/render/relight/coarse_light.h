@@ -31,7 +31,7 @@ public:
     // Records what was forgotten and touched since.
     void update(gpu::Commands& commands);
     // Records: the frame becomes the picture without lights plus the light in sums().
-    void spread(gpu::Commands& commands, const gpu::Texture& frame) const;
+    void spread(gpu::Commands& commands, const gpu::Texture& frame);
 
     const Fragments& fragments() const { return points_; }
     const gpu::Texture& diffuse() const { return diffuse_; }
@@ -49,7 +49,8 @@ private:
     void record_extras(gpu::Commands& commands, bool listed);
 
     const GBuffer& g_buffer_;
-    gpu::Program make_points_, make_cells_, make_extras_, spread_, fold_;
+    gpu::Program make_points_, make_cells_, make_extras_;
+    gpu::LateProgram spread_, fold_;
     Fragments points_;
     bool forgotten_ = true, extras_moved_ = false;
     TileSet stale_points_, stale_cells_, stale_tiles_; // the last ones of the picture

@@ -68,10 +68,9 @@ GlarePass::GlarePass(const gpu::Device& device, std::uint32_t width, std::uint32
     settings_.strength = std::clamp(settings.strength, 0.0f, 1.0f);
     if (!on()) return;
     for (std::uint32_t frame = 0; frame < down_.size(); ++frame)
-        down_[frame] =
-            std::make_unique<gpu::Program>(device, shaders::kShader_glare_down, std::vector{frame});
-    up_ = std::make_unique<gpu::Program>(device, shaders::kShader_glare_up);
-    tail_ = std::make_unique<gpu::Program>(device, shaders::kShader_glare_tail);
+        down_[frame] = gpu::LateProgram(device, shaders::kShader_glare_down, {frame});
+    up_ = gpu::LateProgram(device, shaders::kShader_glare_up);
+    tail_ = gpu::LateProgram(device, shaders::kShader_glare_tail);
     for (std::uint32_t tone = 0; tone < develop_.size(); ++tone)
         develop_[tone] = gpu::LateProgram(device, shaders::kShader_glare_develop, std::vector{tone});
     // Every level is exactly half the one before: no light is counted twice at the far border.
@@ -107,17 +106,17 @@ void GlarePass::record(gpu::Commands& commands, const gpu::Texture& frame, float
     const auto up = [&](const gpu::Texture& coarse, const gpu::Texture& fine, const gpu::Texture& sum,
                         float fine_weight, float coarse_weight) {
         const gpu::TextureShape& shape = sum.shape();
-        over(*up_, shared::GlareUpPush{shape.width, shape.height, fine_weight, coarse_weight},
+        over(up_.get(), shared::GlareUpPush{shape.width, shape.height, fine_weight, coarse_weight},
              shaders::GlareUpBindings{
                  .coarse = gpu::stored(coarse), .fine = gpu::stored(fine), .sum = gpu::stored(sum)},
              shape.width, shape.height);
     };
     commands.begin_span("glare");
-    down(*down_[1], frame, levels_[0], scale);
-    for (std::size_t k = 1; k < levels_.size(); ++k) down(*down_[0], levels_[k - 1], levels_[k], 1.0f);
+    down(down_[1].get(), frame, levels_[0], scale);
+    for (std::size_t k = 1; k < levels_.size(); ++k) down(down_[0].get(), levels_[k - 1], levels_[k], 1.0f);
     const gpu::TextureShape& shape = far_.shape();
     commands.dispatch(
-        *tail_, shared::GlareTailPush{texel_deg(levels_.size() - 1, pixels_per_rad), tail_weight_},
+        tail_.get(), shared::GlareTailPush{texel_deg(levels_.size() - 1, pixels_per_rad), tail_weight_},
         shaders::GlareTailBindings{.from = gpu::stored(levels_.back()), .to = gpu::stored(far_)},
         gpu::groups(shape.width, 8), gpu::groups(shape.height, 4));
     commands.barrier();
@@ -160,9 +159,9 @@ SeenFrame GlarePass::on_processor(const Plane& frame, float brightest, float pix
             .glare_weight = last_up_.coarse_weight};
 }
 
-void GlarePass::see(gpu::Commands& commands, const gpu::Texture& frame) const {
+void GlarePass::see(gpu::Commands& commands, const gpu::Texture& frame) {
     if (!on()) return;
-    commands.dispatch(*up_, last_up_,
+    commands.dispatch(up_.get(), last_up_,
                       shaders::GlareUpBindings{.coarse = gpu::stored(scattered(0)),
                                                .fine = gpu::stored(frame),
                                                .sum = gpu::stored(seen_)},

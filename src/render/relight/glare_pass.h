@@ -13,7 +13,6 @@
 
 #include <array>
 #include <cstdint>
-#include <memory>
 #include <vector>
 
 namespace ghost::render {
@@ -38,7 +37,7 @@ public:
     void record(gpu::Commands& commands, const gpu::Texture& frame, float brightest, float pixels_per_rad);
     // After record: makes seen(). What is to be developed: the picture with glare, or frame itself where
     // glare is off. Its alpha as the frame's.
-    void see(gpu::Commands& commands, const gpu::Texture& frame) const;
+    void see(gpu::Commands& commands, const gpu::Texture& frame);
     const gpu::Texture& seen(const gpu::Texture& frame) const { return on() ? seen_ : frame; }
     // After record, where it is on: develops what see() would make, without making it.
     void develop(gpu::Commands& commands, const gpu::Texture& frame, const gpu::Buffer& exposure,
@@ -55,8 +54,8 @@ private:
     float scattered_weight(std::size_t k) const { return k + 1 < levels_.size() ? 1.0f : weights_.back(); }
 
     GlareSettings settings_;
-    std::array<std::unique_ptr<gpu::Program>, 2> down_; // from a level, from the frame
-    std::unique_ptr<gpu::Program> tail_, up_;
+    std::array<gpu::LateProgram, 2> down_; // from a level, from the frame
+    gpu::LateProgram tail_, up_;
     std::array<gpu::LateProgram, shared::kToneCount> develop_;
     std::vector<gpu::Texture> levels_; // half the picture, a quarter, ..
     gpu::Texture far_;                 // the coarsest level, scattered

@@ -218,7 +218,8 @@ private:
         (sizeof(shared::Light) + kChunkAlign - 1) / kChunkAlign * kChunkAlign;
     static constexpr std::uint64_t kAddendBytes = shared::kMostAddends * sizeof(shared::Addend);
     static constexpr std::uint64_t kChunkBytes = shared::kLightsPerChunk * sizeof(shared::Light);
-    gpu::Program cull_, clear_, bounce_, silhouettes_, fold_, meter_;
+    gpu::Program cull_, clear_, bounce_, silhouettes_, fold_;
+    gpu::LateProgram meter_;
     std::array<gpu::LateProgram, shared::kToneCount> develop_;
     std::array<gpu::LateProgram, shared::kBeamClasses> surface_, thin_surface_,
         direct_surface_; // the last: where no visibility is kept

@@ -137,7 +137,7 @@ void Relighter::develop() {
     const shared::MeterPush meter{f.width, f.height, settings_.ev100, settings_.auto_exposure ? 1u : 0u};
     commands_.begin_span("meter");
     commands_.dispatch(
-        meter_, meter,
+        meter_.get(), meter,
         shaders::MeterBindings{.frame = gpu::stored(seen), .exposure = gpu::storage(exposure_)}, 1);
     commands_.barrier();
     commands_.begin_span("develop");
