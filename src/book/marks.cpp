@@ -3,9 +3,12 @@
 
 #include "base/text.h"
 #include "book/book.h"
+#include "dmx/wire/timecode.h"
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
+#include <iterator>
 #include <optional>
 #include <utility>
 
@@ -106,10 +109,27 @@ std::optional<double> number_from(std::string_view text) {
 }
 
 // "83.5", "1:23.5", "0:01:23.5", "00:01:23:12", "00:01:23;12", which keeps to the clock at 29.97 frames.
-std::optional<double> seconds_from(std::string text, double frames_per_s) {
-    const bool is_drop_frame = begins_with_drop_frame(text);
-    if (is_drop_frame && frames_per_s != kDropFramesPer_s) return std::nullopt;
-    if (is_drop_frame) text[text.find(';')] = ':';
+// As live time code counts (dmx/wire/timecode.h); numbers that drop frame leaves out are no time.
+std::optional<double> drop_frame_seconds(std::string text) {
+    text[text.find(';')] = ':';
+    const std::vector<std::string_view> parts = split(text, ':');
+    dmx::TimeCode time;
+    time.rate = dmx::TimeCode::Rate::drop_29_97;
+    std::uint8_t* const fields[] = {&time.hours, &time.minutes, &time.seconds, &time.frames};
+    if (parts.size() != std::size(fields)) return std::nullopt;
+    for (std::size_t k = 0; k < parts.size(); ++k) {
+        const auto part = number_from(parts[k]);
+        if (!part || !(*part >= 0 && *part < 60) || *part != std::floor(*part)) return std::nullopt;
+        *fields[k] = static_cast<std::uint8_t>(*part);
+    }
+    const bool is_left_out = time.frames < 2 && time.seconds == 0 && time.minutes % 10 != 0;
+    if (!dmx::is_timecode(time) || is_left_out) return std::nullopt;
+    return dmx::timecode_seconds(time);
+}
+
+std::optional<double> seconds_from(const std::string& text, double frames_per_s) {
+    if (begins_with_drop_frame(text))
+        return frames_per_s == kDropFramesPer_s ? drop_frame_seconds(text) : std::nullopt;
     const std::vector<std::string_view> parts = split(text, ':');
     if (parts.size() > 4) return std::nullopt;
     double total = 0;
@@ -175,8 +195,10 @@ std::vector<Mark> read_marks(std::string_view csv, const std::string& file, doub
             refuse("the time of a mark is '" + cell(0).substr(0, 40) +
                    "', expected seconds or H:MM:SS before " + parts_at + ", as in the first line" +
                    (is_drop_frame ? "; drop-frame time code needs --mark-fps 30"
-                    : has_frames  ? "; frames need --mark-fps"
-                                  : ""));
+                    : begins_with_drop_frame(time)
+                        ? "; drop frame has no frames 0 and 1 in a minute's first second but each tenth's"
+                    : has_frames ? "; frames need --mark-fps"
+                                 : ""));
             continue;
         }
         if (marks.size() == kMostEntries) {

@@ -85,12 +85,30 @@ std::size_t digits_at_end(const std::string& name) {
 
 namespace {
 
+constexpr std::string_view kLeftToRight = "\xe2\x80\x8e"; // U+200E
+
+// Letters from right to left: scripts from U+0590 to U+08FF, what stands for them in U+FB1D to U+FEFF, and
+// those of the upper planes.
+bool runs_right_to_left(std::string_view text) {
+    for (std::size_t i = 0; i + 1 < text.size(); ++i) {
+        const auto byte = [&](std::size_t k) { return static_cast<unsigned char>(text[i + k]); };
+        const bool is_longer = i + 2 < text.size();
+        if (byte(0) >= 0xD6 && byte(0) <= 0xDF) return true;
+        if (byte(0) == 0xE0 && byte(1) >= 0xA0 && byte(1) <= 0xA3) return true;
+        if (byte(0) == 0xEF && byte(1) >= 0xAC && byte(1) <= 0xBB) return true;
+        if (is_longer && byte(0) == 0xF0 && (byte(1) == 0x90 || byte(1) == 0x9E) && byte(2) >= 0xA0)
+            return true;
+    }
+    return false;
+}
+
 struct SaidNames {
     std::string text;
     std::size_t left = 0; // not said
 };
 
-SaidNames say_names(const std::vector<std::string>& names, std::size_t most) {
+// marks: so that names from right to left do not turn round what stands beside them.
+SaidNames say_names(const std::vector<std::string>& names, std::size_t most, bool marks) {
     std::string text;
     std::size_t pieces = 0, first = 0;
     for (; first < names.size() && pieces < most; ++pieces) {
@@ -98,6 +116,7 @@ SaidNames say_names(const std::vector<std::string>& names, std::size_t most) {
         while (last + 1 < names.size() && counts_on(names[last], names[last + 1])) ++last;
         text += (pieces > 0 ? ", " : "") + names[first];
         if (last > first) text += "-" + names[last].substr(names[last].size() - digits_at_end(names[last]));
+        if (marks && runs_right_to_left(names[first])) text += kLeftToRight;
         first = last + 1;
     }
     return {text, names.size() - first};
@@ -106,12 +125,13 @@ SaidNames say_names(const std::vector<std::string>& names, std::size_t most) {
 } // namespace
 
 std::string names_text(const std::vector<std::string>& names, const PrintStyle& style) {
-    const SaidNames said = say_names(names, kMostPieces);
+    SaidNames said = say_names(names, kMostPieces, true);
+    if (runs_right_to_left(said.text)) said.text.insert(0, kLeftToRight);
     return said.left > 0 ? style("%1 and %2 more", {said.text, std::to_string(said.left)}) : said.text;
 }
 
 std::string all_names_text(const std::vector<std::string>& names) {
-    return say_names(names, names.size()).text;
+    return say_names(names, names.size(), false).text;
 }
 
 std::string address_text(int universe, int channel) {

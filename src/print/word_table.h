@@ -318,6 +318,9 @@ inline constexpr Translation kWords[] = {
      "die Show hat weder Cues noch Looks: dies sind die Momente, in denen ihre Aufzeichnung ruht"},
     {"1 fixture has no file that could be read: its light is in no picture",
      "1 Gerät hat keine lesbare Datei: sein Licht ist in keinem Bild"},
+    {"could not be read: %1", "nicht lesbar: %1"},
+    {"%1 more could not be read, which the terminal names",
+     "%1 weitere sind nicht lesbar, das Terminal nennt sie"},
     {"of %1 fixtures address, place or mode is not known: what they do in the pictures is assumed",
      "von %1 Geräten sind Adresse, Platz oder Modus nicht bekannt: was sie in den Bildern tun, ist "
      "angenommen"},

@@ -396,7 +396,7 @@ TEST(Marks, have_the_separator_of_their_first_line) {
     EXPECT_EQ(spreadsheet[0].number, "1");
     EXPECT_EQ(spreadsheet[0].name, "Blau, dann rot");
     EXPECT_EQ(spreadsheet[0].note, "Notiz");
-    EXPECT_EQ(spreadsheet[1].at_s, 20.5);
+    EXPECT_DOUBLE_EQ(spreadsheet[1].at_s, 615 * 1.001 / 30);
     EXPECT_EQ(spreadsheet[2].at_s, 40.25);
     ASSERT_EQ(report.messages.size(), 1u);
     EXPECT_EQ(report.messages[0].where, "marks_de.csv:4");
@@ -404,11 +404,11 @@ TEST(Marks, have_the_separator_of_their_first_line) {
               std::string::npos)
         << report.messages[0].what;
 
-    const auto drop_frame = read_marks("00:00:36;15,12,Solo\n00:01:00;00\n7;8\n", "", 30, report);
+    const auto drop_frame = read_marks("00:00:36;15,12,Solo\n00:01:00;02\n7;8\n", "", 30, report);
     ASSERT_EQ(drop_frame.size(), 2u);
-    EXPECT_EQ(drop_frame[0].at_s, 36.5);
+    EXPECT_DOUBLE_EQ(drop_frame[0].at_s, 1095 * 1.001 / 30);
     EXPECT_EQ(drop_frame[0].number, "12");
-    EXPECT_EQ(drop_frame[1].at_s, 60);
+    EXPECT_DOUBLE_EQ(drop_frame[1].at_s, 1800 * 1.001 / 30);
     Report rateless;
     EXPECT_TRUE(read_marks("00:00:36;15,12\n", "", 25, rateless).empty());
     EXPECT_NE(rateless.messages.at(0).what.find("--mark-fps 30"), std::string::npos);

@@ -133,6 +133,10 @@ TEST(Changes, of_fixtures_that_do_alike_are_one_line_most_light_first) {
     const auto changes = changes_of(show, {dark, dark, dark, dark, dark}, {half, full, full, full, turned});
     ASSERT_EQ(changes.size(), 3u);
     EXPECT_EQ(changes[0].line(), "Spot 1-3: 0 to 100 %");
+    // Marks (U+200E) keep the figures where they are beside names from right to left.
+    const BookChange hebrew{{"\u05e4\u05e0\u05e1", "Spot 2", "\u0643\u0634\u0627\u0641"}, "100 to 60 %"};
+    EXPECT_EQ(hebrew.line(),
+              "\u200e\u05e4\u05e0\u05e1\u200e, Spot 2, \u0643\u0634\u0627\u0641\u200e: 100 to 60 %");
     EXPECT_EQ(changes[1].line(), "Wash 1: 0 to 20 %");
     EXPECT_EQ(changes[2].line(), "Spot 5: moves in the dark");
 }

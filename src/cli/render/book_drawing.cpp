@@ -45,6 +45,7 @@ private:
     Result<std::vector<scene::Mark>> read_marks();
     Result<void> choose_entries();
     Result<void> leave_out_others();
+    void say_what_was_lost(std::vector<std::string>& unknown) const;
     Result<std::vector<double>> find_rests();
     Result<BookFrame> choose_frame(const BookFrame* given);
     Result<float> metered(const scene::Camera& camera);
@@ -260,6 +261,22 @@ Result<BookFrame> BookDrawing::choose_frame(const BookFrame* given) {
     return frame;
 }
 
+// Cues, marks, looks and fixtures that could not be read: the book has not all that its files say.
+void BookDrawing::say_what_was_lost(std::vector<std::string>& unknown) const {
+    constexpr std::size_t kMostSaid = 20;
+    const std::string folder = session_->show->file.parent_path().string() + "/";
+    std::size_t lost = 0;
+    for (const Message& message : session_->report.messages) {
+        if (message.severity != Severity::error || ++lost > kMostSaid) continue;
+        const std::string where =
+            message.where.starts_with(folder) ? message.where.substr(folder.size()) : message.where;
+        unknown.push_back(options_.style("could not be read: %1", {where + ": " + message.what}));
+    }
+    if (lost > kMostSaid)
+        unknown.push_back(options_.style("%1 more could not be read, which the terminal names",
+                                         {std::to_string(lost - kMostSaid)}));
+}
+
 Result<DrawnBook> BookDrawing::draw(const fs::path& folder, const BookFrame* given) {
     DrawnBook drawn;
     scene::Book& book = drawn.book;
@@ -272,6 +289,7 @@ Result<DrawnBook> BookDrawing::draw(const fs::path& folder, const BookFrame* giv
     book.ev100 = drawn.frame.ev100;
     book.device = session_->device->name();
     book.unknown.insert(book.unknown.end(), plan_.unknown.begin(), plan_.unknown.end());
+    if (!options_.is_for_client) say_what_was_lost(book.unknown);
 
     Progress progress = this->progress("cue book");
     scene::BookValues all_values;
