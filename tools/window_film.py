@@ -33,8 +33,8 @@ class Screen:
         self.process = subprocess.Popen(["Xvfb", "-displayfd", str(writing), "-screen", "0", f"{size}x24", "-fbdir", self.folder.name, "-nolisten", "tcp"],
                                         pass_fds=[writing], stderr=subprocess.DEVNULL)
         os.close(writing)
-        number = os.read(reading, 16).decode().strip()
-        os.close(reading)
+        with os.fdopen(reading) as line:  # whole: Xvfb ends where nobody reads its end
+            number = line.readline().strip()
         if not number:
             sys.exit("Xvfb does not start (package xvfb)")
         self.name = f":{number}"

@@ -201,7 +201,8 @@ render::Settings draw_settings(const Atmosphere& air, const scene::Camera& camer
     settings.beams = options.beams;
     settings.ambient = air.ambient;
     settings.lights_per_dispatch = options.lights_per_dispatch;
-    settings.pixels_on_processor = options.pixels_on_processor;
+    // Who works on shaders wants to see them.
+    settings.pixels_on_processor = options.pixels_on_processor && options.shaders.empty();
     settings.lens.on = options.glare > 0;
     settings.glare.strength = options.glare;
     settings.air_field = air.field();
