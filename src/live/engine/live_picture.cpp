@@ -73,8 +73,8 @@ LivePicture::Drawn LivePicture::draw(Session& session, const Wanted& wanted, con
     }
     bool uses_coarse =
         moves && wanted.quality.percent == 0 && pace().level().coarse_light && !wanted.is_measured;
-    // A better level, whose stage takes a second to draw, comes when that is done, a part in each picture. Not
-    // after a flight, whose picture nobody wants to see for longer.
+    // A better level, whose stage takes a second to draw, comes when that is done, a part in each picture.
+    // Not after a flight, whose picture nobody wants to see for longer.
     const bool grows = moves && !flies && !lands && is_larger(camera, from_);
     was_prepared_ = was_prepared_ && grows;
     const bool waits = grows && !prepare_part(camera, session);
