@@ -108,8 +108,8 @@ std::optional<double> number_from(std::string_view text) {
     return is_whole && value >= 0 && value <= kLatestMark_s ? std::optional(value) : std::nullopt;
 }
 
-// "83.5", "1:23.5", "0:01:23.5", "00:01:23:12", "00:01:23;12", which keeps to the clock at 29.97 frames.
-// As live time code counts (dmx/wire/timecode.h); numbers that drop frame leaves out are no time.
+// "00:01:23;12", which keeps to the clock at 29.97 frames, as live time code counts (dmx/wire/timecode.h);
+// numbers that drop frame leaves out are no time.
 std::optional<double> drop_frame_seconds(std::string text) {
     text[text.find(';')] = ':';
     const std::vector<std::string_view> parts = split(text, ':');
@@ -127,6 +127,7 @@ std::optional<double> drop_frame_seconds(std::string text) {
     return dmx::timecode_seconds(time);
 }
 
+// "83.5", "1:23.5", "0:01:23.5", "00:01:23:12".
 std::optional<double> seconds_from(const std::string& text, double frames_per_s) {
     if (begins_with_drop_frame(text))
         return frames_per_s == kDropFramesPer_s ? drop_frame_seconds(text) : std::nullopt;

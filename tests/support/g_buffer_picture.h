@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <glm/gtc/matrix_transform.hpp>
 #include <set>
 
 namespace ghost::render {
@@ -206,6 +207,18 @@ inline void expect_sound(const Picture& picture, bool spare_room = false) {
     const std::size_t last = pixels + std::size_t{picture.fragments->blocks} * shared::kTilePixels;
     for (std::size_t k = pixels + picture.extras; k < last; ++k)
         ASSERT_LT(picture.places[k].w, 0.0f) << "the last block ends in no surface";
+}
+
+// Boards that stand at several depths before the wall.
+inline scene::Stage room_with_boards() {
+    scene::Stage stage = room();
+    stage.meshes.push_back(quad({-0.5f, 0, -1}, {1, 0.3f, 0}, {0, 0, 2}));
+    for (int k = 0; k < 4; ++k)
+        stage.instances.push_back({"board", static_cast<int>(stage.meshes.size()) - 1,
+                                   glm::translate(glm::mat4(1.0f), {2.0f * static_cast<float>(k) - 3,
+                                                                    1 + 0.5f * static_cast<float>(k), 2}),
+                                   scene::kNone});
+    return stage;
 }
 
 } // namespace ghost::render

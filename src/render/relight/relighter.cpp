@@ -340,8 +340,12 @@ void Relighter::make_images() {
     shape.layers = static_cast<std::uint32_t>(slot_count_) + kFixedImages;
     kept_ = gpu::Texture(device_, shape);
 
-    on_processor_ = settings_.pixels_on_processor && device_.is_cpu() && has_vectors() && f.base.mapped() &&
-                    f.edges.mapped() && frame_.mapped() && kept_.mapped() && drawn_.mapped();
+    // Of every format that the steps read and write.
+    const std::array<const gpu::Texture*, 7> textures{
+        &frame_, &kept_, &drawn_, &haze_sources_, &seen().places, &seen().edges, &seen().base};
+    on_processor_ = settings_.pixels_on_processor && has_vectors() &&
+                    std::all_of(textures.begin(), textures.end(),
+                                [](const gpu::Texture* texture) { return texture->mapped() != nullptr; });
 
     std::string lowered;
     if (distances_ && distances_->side() < distances_->wanted_side())

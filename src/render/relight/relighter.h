@@ -158,6 +158,9 @@ private:
     void clear_drawn();
     void draw_sum(const ImageSum& sum);
     void add_images(const ImageSum& sum);
+    glm::vec3 weight_of(const Addend& addend) const {
+        return addend.light >= 0 ? units_.weight(addend.light) : glm::vec3(1.0f);
+    }
     void fold_on_processor();
     void add_on_processor(const ImageSum& sum);
     void spread_on_processor();

@@ -149,7 +149,7 @@ void Relighter::add_images(const ImageSum& sum) {
     CHECK(offset + kAddendBytes <= addends_.bytes());
     auto* to = reinterpret_cast<shared::Addend*>(static_cast<std::uint8_t*>(addends_.mapped()) + offset);
     for (const Addend& addend : sum.addends) {
-        const glm::vec3 weight = addend.light >= 0 ? units_.weight(addend.light) : glm::vec3(1.0f);
+        const glm::vec3 weight = weight_of(addend);
         if (weight == glm::vec3(0.0f)) continue;
         to[push.addend_count++] = {static_cast<std::uint32_t>(addend.slot), weight};
     }

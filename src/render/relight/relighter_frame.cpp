@@ -43,7 +43,7 @@ void Relighter::fold_on_processor() {
 void Relighter::add_on_processor(const ImageSum& sum) {
     ImageAddition images;
     for (const Addend& addend : sum.addends) {
-        const glm::vec3 weight = addend.light >= 0 ? units_.weight(addend.light) : glm::vec3(1.0f);
+        const glm::vec3 weight = weight_of(addend);
         if (weight == glm::vec3(0.0f)) continue;
         images.kept.push_back({kept_.mapped(static_cast<std::uint32_t>(addend.slot)), weight});
     }

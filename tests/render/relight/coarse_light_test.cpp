@@ -6,23 +6,11 @@
 #include "support/g_buffer_picture.h"
 
 #include <cmath>
-#include <glm/gtc/matrix_transform.hpp>
 
 namespace ghost::render {
 namespace {
 
 using CoarseLightTest = RelightTest;
-
-scene::Stage stage() {
-    scene::Stage stage = room();
-    stage.meshes.push_back(quad({-0.5f, 0, -1}, {1, 0.3f, 0}, {0, 0, 2}));
-    for (int k = 0; k < 4; ++k)
-        stage.instances.push_back({"board", static_cast<int>(stage.meshes.size()) - 1,
-                                   glm::translate(glm::mat4(1.0f), {2.0f * static_cast<float>(k) - 3,
-                                                                    1 + 0.5f * static_cast<float>(k), 2}),
-                                   scene::kNone});
-    return stage;
-}
 
 std::vector<shared::Light> lights() {
     return {aimed_light({-4, 0, 8}, {-1, 2, 0}, 20, 20000), aimed_light({4, 2, 8}, {1, 3, 1}, 35, 20000)};
@@ -42,7 +30,7 @@ struct Pictures {
 
 Pictures pictures(int width, int height, const std::vector<shared::Light>& lit) {
     Report report;
-    const StageModel model(device(), stage(), report);
+    const StageModel model(device(), room_with_boards(), report);
     GBuffer buffer(device(), width, height);
     const Settings whole = settings(false);
     buffer.draw(model, pose_of(camera_at({0, -10, 3}, {0, 10, 2.5f}, 40, width, height)),

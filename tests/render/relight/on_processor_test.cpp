@@ -99,13 +99,7 @@ TEST_F(OnProcessor, PicturesFromPasses) {
 TEST_F(OnProcessor, PicturesOfAFreeCamera) {
     if (!has_vectors()) GTEST_SKIP() << "this processor has no AVX2, FMA and F16C";
     Report report;
-    scene::Stage stage = room();
-    stage.meshes.push_back(quad({-0.5f, 0, -1}, {1, 0.3f, 0}, {0, 0, 2}));
-    for (int k = 0; k < 4; ++k)
-        stage.instances.push_back({"board", static_cast<int>(stage.meshes.size()) - 1,
-                                   glm::translate(glm::mat4(1.0f), {2.0f * static_cast<float>(k) - 3,
-                                                                    1 + 0.5f * static_cast<float>(k), 2}),
-                                   scene::kNone});
+    const scene::Stage stage = room_with_boards();
     const StageModel model(device(), stage, report);
     const std::vector<shared::Light> lights{aimed_light({-4, 0, 8}, {-1, 2, 0}, 20, 20000),
                                             aimed_light({4, 2, 8}, {1, 3, 1}, 35, 20000)};
