@@ -2,7 +2,7 @@
 // @ts-check
 // The cue book, and how far it is from an older one. Its files come with the token in a header, so pictures
 // are blobs; each is fetched when it is nearly seen.
-import {clock, hear, make, now, onShown} from "./store.js";
+import {clock, hear, make, now, onShown, putText} from "./store.js";
 import {fetchWithToken} from "./wire.js";
 
 const MOST_AT_ONCE = 4;
@@ -98,7 +98,7 @@ class Book extends HTMLElement {
     this.clear();
     this.size = {width: String(book.size[0]), height: String(book.size[1])};
     const {length} = book.entries;
-    this.about.textContent = `${book.show || "The show"}: ${length} ${length === 1 ? "entry" : "entries"} (${book.kind}), drawn by ${book.device}`;
+    putText(this.about, `${book.show || "The show"}: ${length} ${length === 1 ? "entry" : "entries"} (${book.kind}), drawn by ${book.device}`);
     const hasNumbers = book.entries.some((/** @type {any} */ entry) => entry.number);
     this.body.replaceChildren(
         ...(problem ? [make("p", {class: "bad"}, problem)] : []),

@@ -8,7 +8,7 @@ import "./state.js";
 
 import {streamOf} from "./draw.js";
 import {takePicture} from "./picture.js";
-import {hear, keepToken, make, mayControl, now, takeToken, tokenBefore} from "./store.js";
+import {hear, keepToken, make, mayControl, now, plain, putText, takeToken, tokenBefore} from "./store.js";
 import {takeSide} from "./stage.js";
 import {begin, NO_ANSWER} from "./wire.js";
 
@@ -95,12 +95,12 @@ function tellTakenBack(isTold) {
 }
 hear("show", () => {
   const name = now.show.name || "Ghostlight";
-  /** @type {HTMLElement} */ (document.querySelector("#show")).textContent = name;
-  document.title = `${name} - Ghostlight`;
+  putText(/** @type {HTMLElement} */ (document.querySelector("#show")), name);
+  document.title = plain(`${name} - Ghostlight`);
 });
 let cue = "";
 hear("state", () => {
-  if (now.state.cue && now.state.cue !== cue && cue) spoken.textContent = `Cue ${now.state.cue}`;
+  if (now.state.cue && now.state.cue !== cue && cue) putText(spoken, `Cue ${now.state.cue}`);
   cue = now.state.cue ?? "";
 });
 

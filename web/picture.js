@@ -3,7 +3,7 @@
 // The picture as it is drawn now: pinch or Ctrl and the wheel enlarge it, a tap leaves it alone on the
 // screen.
 import {hearFingers, Painter} from "./draw.js";
-import {age, clock, hear, isCalm, isHidden, make, now, onShown, setCalm} from "./store.js";
+import {age, clock, hear, isCalm, isHidden, make, now, onShown, plain, putText, setCalm} from "./store.js";
 import {ageMs, wish} from "./wire.js";
 
 const OLD_MS = 3000;
@@ -72,8 +72,8 @@ class Picture extends HTMLElement {
     if (source === "none") parts.push("no levels");
     if (timecode) parts.push(timecode);
     if (lamps !== undefined) parts.push(`${shining} of ${lamps} lamps shine`);
-    this.facts.textContent = parts.join(" \u00b7 ");
-    canvas.setAttribute("aria-label", `Picture: ${parts.join(", ")}`);
+    putText(this.facts, parts.join(" \u00b7 "));
+    canvas.setAttribute("aria-label", plain(`Picture: ${parts.join(", ")}`));
   }
 
   tellAge() {

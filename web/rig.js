@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // @ts-check
 // All lamps in rows: what each does in words, and, on a tap, why.
-import {age, hear, isCalm, make, now} from "./store.js";
+import {age, hear, isCalm, make, now, putText} from "./store.js";
 import {heardAtMs, say, wish} from "./wire.js";
 
 const HEAD = 16, EACH = 8;  // bytes of a message of levels, of one fixture in it
@@ -140,7 +140,7 @@ class Rig extends HTMLElement {
     if (fixture !== this.open) return;
     const sentence = verdict.charAt(0).toUpperCase() + verdict.slice(1);
     const lines = words.split("\n").slice(1).join("\n").trimEnd();  // the first one is the sentence
-    if (this.verdict.textContent !== sentence) this.verdict.textContent = sentence;
+    putText(this.verdict, sentence);
     if (this.said !== lines) this.way.replaceChildren(...lines.split("\n").map((line) => make("span", {}, line)));
     this.said = lines;
     this.way.hidden = lines === "";

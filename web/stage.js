@@ -3,7 +3,7 @@
 // The stage from elsewhere: the show's cameras as cards, or a view of one's own. A tap measures.
 import {hearFingers, Painter} from "./draw.js";
 import {cameraOf, dolly, orbitOf, round, slide, turn} from "./orbit.js";
-import {age, hear, isCalm, isHidden, make, mayControl, now, onShown, smallPicture, thumbnail} from "./store.js";
+import {age, hear, isCalm, isHidden, make, mayControl, now, onShown, plain, putText, smallPicture, thumbnail} from "./store.js";
 import {doIt, outcome, wish} from "./wire.js";
 
 const WHEN = "in turn";
@@ -96,7 +96,7 @@ class Stage extends HTMLElement {
   begin(said) {
     this.forgetMeasure();
     this.what.classList.remove("bad");
-    this.what.textContent = said;
+    putText(this.what, said);
     this.name();
     this.ask(true);
   }
@@ -113,7 +113,7 @@ class Stage extends HTMLElement {
     this.put.hidden = !mayControl() || !this.chosen;
     this.view.setAttribute(
         "aria-label", this.orbit ? "My own view. Arrows orbit, with Shift they slide, plus and minus go near and far, Enter measures the middle" :
-                                   `Camera ${this.chosen}. Enter measures the middle`);
+                                   plain(`Camera ${this.chosen}. Enter measures the middle`));
   }
 
   ask(isAgain = false) {
@@ -138,10 +138,9 @@ class Stage extends HTMLElement {
     this.paintedMs = performance.now();
     const isStill = message.getUint8(1) & STILL;
     const what = this.orbit ? "My own view" : `Camera ${this.chosen}`;
-    const said = isStill ? `${what} \u00b7 a still, renewed when the lamps rest` : what;
-    if (this.what.textContent !== said) this.what.textContent = said;  // a live region says what changes
+    putText(this.what, isStill ? `${what} \u00b7 a still, renewed every few seconds, and whole when the lamps rest` : what);
     this.what.classList.remove("bad");
-    this.painter.canvas.setAttribute("aria-label", what);
+    this.painter.canvas.setAttribute("aria-label", plain(what));
   }
 
   tellAge() {
@@ -161,7 +160,7 @@ class Stage extends HTMLElement {
     const {lux, cd_m2, object, distance_m, place} = now.measure;
     const figure = (/** @type {number} */ value) => (value >= 100 ? Math.round(value).toString() : value.toPrecision(2));
     const parts = lux === undefined ? ["nothing is met there"] : [`${figure(lux)} lux`, `on ${object || "a surface"}`, `${distance_m.toFixed(1)} m away`];
-    this.measured.textContent = [`${figure(cd_m2)} cd/m\u00b2`, ...parts].join(" \u00b7 ");
+    putText(this.measured, [`${figure(cd_m2)} cd/m\u00b2`, ...parts].join(" \u00b7 "));
     const box = this.shown();
     this.cross.hidden = false;
     this.cross.style.left = `${box.left + place[0] * box.width}px`;
@@ -169,7 +168,7 @@ class Stage extends HTMLElement {
   }
 
   refuse() {
-    this.what.textContent = `Not drawn: ${now.refusedView}.`;
+    putText(this.what, `Not drawn: ${now.refusedView}.`);
     this.what.classList.add("bad");
   }
 

@@ -151,13 +151,27 @@ export function dropToken() {
 }
 
 /**
+ * What turns the order of the letters behind it, and what is no letter, is shown instead, as on paper.
+ * @param {string} text
+ */
+export function plain(text) {
+  return text.replace(/[\u0000-\u0008\u000b-\u001f\u007f-\u009f\u202a-\u202e\u2066-\u2069]/g, (letter) => `\\u${letter.charCodeAt(0).toString(16).padStart(4, "0")}`);
+}
+
+/** @param {Element} element @param {string} text with names in it */
+export function putText(element, text) {
+  const said = plain(text);
+  if (element.textContent !== said) element.textContent = said;  // a live region says what changes
+}
+
+/**
  * Text into elements, never mark-up: names come from strangers. @param {string} name @param {Record<string,
  * string>} [attributes] @param {(Node | string)[]} children
  */
 export function make(name, attributes = {}, ...children) {
   const element = document.createElement(name);
-  for (const [key, value] of Object.entries(attributes)) element.setAttribute(key, value);
-  element.append(...children);
+  for (const [key, value] of Object.entries(attributes)) element.setAttribute(key, key === "src" ? value : plain(value));
+  element.append(...children.map((child) => (typeof child === "string" ? plain(child) : child)));
   return element;
 }
 

@@ -6624,6 +6624,10 @@ Bitte den Namen des Ordners prüfen.</translation>
         <source>has &apos;%1&apos;, which Ghostlight did not make: it is not replaced before that is elsewhere</source>
         <translation>hat &apos;%1&apos;, was nicht von Ghostlight ist: es wird nicht ersetzt, bevor das woanders ist</translation>
     </message>
+    <message>
+        <source>has &apos;%1&apos;, which somebody changed: it is not replaced before that is elsewhere</source>
+        <translation>hat &apos;%1&apos;, was jemand geändert hat: es wird nicht ersetzt, bevor das woanders ist</translation>
+    </message>
 </context>
 <context>
     <name>Transport</name>

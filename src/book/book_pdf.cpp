@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "book/pdf.h"
 
+#include "book/private/difference_lines.h"
 #include "book/private/entry_text.h"
 #include "image/ldr.h"
 #include "print/pdf_writer.h"
@@ -20,13 +21,19 @@ constexpr double kAll_pt = 1e6;
 constexpr PdfText kTitle{.size_pt = 11, .is_bold = true};
 constexpr PdfText kSmall{.size_pt = 8, .is_grey = true};
 constexpr PdfText kWords{.size_pt = 8.5};
+constexpr PdfText kHeading{.size_pt = 9.5, .is_bold = true};
+constexpr double kHeadingGap_pt = 8, kLineGap_pt = 2;
 
 class BookPages {
 public:
-    BookPages(const Book& book, const std::filesystem::path& folder, PaperSize size, const PrintStyle& style,
-              BookLayout layout)
+    BookPages(const Book& book, const BookDifference* difference, const std::filesystem::path& folder,
+              PaperSize size, const PrintStyle& style, BookLayout layout)
         : book_(book), folder_(folder), style_(style), columns_(layout == BookLayout::grid ? 3 : 1),
-          pdf_(size, false, book.show + ": " + style("cue book")) {}
+          pdf_(size, false, book.show + ": " + style("cue book")) {
+        if (!difference) return;
+        since_ = style("Since %1", {difference->old_name});
+        for (const DifferenceLine& line : lines_of(*difference, style)) lines_.push_back(sized(line));
+    }
 
     Result<std::string> draw(Report& report) {
         unknown_ = book_.unknown;
@@ -35,9 +42,12 @@ public:
             unknown_.insert(unknown_.begin(), said);
         }
         const std::size_t of_page = kRowsOfPage * columns_;
-        const std::size_t pages = std::max<std::size_t>(1, (book_.entries.size() + of_page - 1) / of_page);
-        for (std::size_t page = 0; page < pages; ++page) {
-            draw_head(page, pages);
+        const std::size_t of_entries =
+            std::max<std::size_t>(1, (book_.entries.size() + of_page - 1) / of_page);
+        pages_ = pages_of_lines() + of_entries;
+        if (!lines_.empty()) draw_lines();
+        for (std::size_t page = 0; page < of_entries; ++page) {
+            draw_head();
             const double top = kMargin_pt + kHead_pt;
             const double height = (pdf_.height_pt() - top - kMargin_pt) / kRowsOfPage;
             for (std::size_t k = 0; k < of_page && page * of_page + k < book_.entries.size(); ++k) {
@@ -51,12 +61,79 @@ public:
     }
 
 private:
-    void draw_head(std::size_t page, std::size_t pages) {
+    struct SizedLine {
+        DifferenceLine line;
+        double gap_pt = 0, height_pt = 0; // above it, its own
+    };
+
+    static const PdfText& look_of(DifferenceLine::Rank rank) {
+        switch (rank) {
+        case DifferenceLine::Rank::heading:
+            return kHeading;
+        case DifferenceLine::Rank::unknown:
+            return kSmall;
+        case DifferenceLine::Rank::sentence:
+            break;
+        }
+        return kWords;
+    }
+
+    double room_of_lines_pt() const { return pdf_.height_pt() - 2 * kMargin_pt - kHead_pt; }
+
+    SizedLine sized(const DifferenceLine& line) {
+        const double room = room_of_lines_pt() - kHeadingGap_pt - kHead_pt;
+        return {line, line.rank == DifferenceLine::Rank::heading ? kHeadingGap_pt : kLineGap_pt,
+                pdf_.height_of(pdf_.width_pt() - 2 * kMargin_pt, room, line.text, look_of(line.rank))};
+    }
+
+    // begin(k): the k-th line is the first of its page.
+    template <class Begin, class Line>
+    void each_line(const Begin& begin, const Line& line) {
+        double at = 0;
+        for (std::size_t k = 0; k < lines_.size(); ++k) {
+            // A heading does not stand alone at the foot of a page.
+            const bool leads = lines_[k].line.rank == DifferenceLine::Rank::heading && k + 1 < lines_.size();
+            const double needed = lines_[k].gap_pt + lines_[k].height_pt +
+                                  (leads ? lines_[k + 1].gap_pt + lines_[k + 1].height_pt : 0);
+            if (k == 0 || at + needed > room_of_lines_pt()) {
+                begin(k);
+                at = k == 0 ? kHead_pt : 0; // the title
+            }
+            line(lines_[k], at + lines_[k].gap_pt);
+            at += lines_[k].gap_pt + lines_[k].height_pt;
+        }
+    }
+
+    std::size_t pages_of_lines() {
+        std::size_t pages = 0;
+        each_line([&](std::size_t) { ++pages; }, [](const SizedLine&, double) {});
+        return pages;
+    }
+
+    void draw_lines() {
+        const double top = kMargin_pt + kHead_pt, width = pdf_.width_pt() - 2 * kMargin_pt;
+        each_line(
+            [&](std::size_t k) {
+                if (k > 0) pdf_.end_page();
+                draw_head();
+                if (k > 0) return;
+                pdf_.mark(since_);
+                pdf_.line_of_text(kMargin_pt, top, width, since_, kTitle);
+            },
+            [&](const SizedLine& line, double y) {
+                pdf_.text(kMargin_pt, top + y, width, line.height_pt + 1, line.line.text,
+                          look_of(line.line.rank));
+            });
+        pdf_.end_page();
+    }
+
+    void draw_head() {
+        const std::size_t page = page_++;
         const double width = pdf_.width_pt() - 2 * kMargin_pt;
         pdf_.line_of_text(kMargin_pt, kMargin_pt - 12, 0.75 * width, book_.show, kTitle);
         pdf_.line_of_text(
             kMargin_pt + 0.75 * width, kMargin_pt - 12, 0.25 * width,
-            style_("cue book, page %1 of %2", {std::to_string(page + 1), std::to_string(pages)}),
+            style_("cue book, page %1 of %2", {std::to_string(page + 1), std::to_string(pages_)}),
             {.size_pt = 8, .is_grey = true, .is_right = true});
         std::string said;
         for (const std::string& sentence : unknown_) said += (said.empty() ? "" : "; ") + sentence;
@@ -65,6 +142,8 @@ private:
 
     std::string look_for_boxes() {
         pdf_.look_for_boxes(book_.show);
+        pdf_.look_for_boxes(since_);
+        for (const SizedLine& line : lines_) pdf_.look_for_boxes(line.line.text);
         for (std::size_t i = 0; i < book_.entries.size(); ++i) {
             const BookEntry& entry = book_.entries[i];
             for (const std::string& text :
@@ -162,13 +241,17 @@ private:
     const std::size_t columns_;
     PdfWriter pdf_;
     std::vector<std::string> unknown_; // of the book, and of its letters
+    std::string since_;                // title of the difference
+    std::vector<SizedLine> lines_;     // of the difference; empty: there is none
+    std::size_t page_ = 0, pages_ = 0;
 };
 
 } // namespace
 
-Result<std::string> pdf_of(const Book& book, const std::filesystem::path& folder, PaperSize size,
-                           Report& report, const PrintStyle& style, BookLayout layout) {
-    return BookPages(book, folder, size, style, layout).draw(report);
+Result<std::string> pdf_of(const Book& book, const BookDifference* difference,
+                           const std::filesystem::path& folder, PaperSize size, Report& report,
+                           const PrintStyle& style, BookLayout layout) {
+    return BookPages(book, difference, folder, size, style, layout).draw(report);
 }
 
 } // namespace ghost::scene

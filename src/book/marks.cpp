@@ -149,6 +149,30 @@ std::optional<double> seconds_from(const std::string& text, double frames_per_s)
     return total >= 0 ? std::optional(total) : std::nullopt;
 }
 
+bool are_digits(std::string_view text) {
+    return !text.empty() && text.find_first_not_of("0123456789") == std::string_view::npos;
+}
+
+// "83,5" in each line, and what would be the numbers of cues does not count on: somebody's decimals, perhaps.
+bool may_be_decimals(const std::vector<CsvRow>& rows) {
+    std::string before;
+    bool counts_on = true;
+    std::size_t count = 0;
+    for (const CsvRow& row : rows) {
+        const bool is_empty = row.cells.size() == 1 && trimmed(row.cells[0]).empty();
+        if (is_empty || row.cells[0].starts_with('#')) continue;
+        if (row.cells.size() != 2 || !are_digits(row.cells[0]) || !are_digits(row.cells[1])) {
+            if (row.line == 1) continue; // a heading
+            return false;
+        }
+        const std::string& number = row.cells[1];
+        if (count++ > 0 && std::pair(number.size(), number) <= std::pair(before.size(), before))
+            counts_on = false;
+        before = number;
+    }
+    return count == 1 || (count > 1 && !counts_on);
+}
+
 } // namespace
 
 std::vector<Mark> read_marks(std::string_view csv, const std::string& file, double frames_per_s,
@@ -159,7 +183,13 @@ std::vector<Mark> read_marks(std::string_view csv, const std::string& file, doub
     std::vector<Mark> marks;
     std::size_t most_cells = kMostColumns;
     bool is_first = true;
-    for (const CsvRow& row : csv_rows(csv, separator)) {
+    const std::vector<CsvRow> rows = csv_rows(csv, separator);
+    if (separator == ',' && may_be_decimals(rows))
+        report.add(
+            Severity::warning, file,
+            "each line is read as a time in whole seconds and a number; if it is one time with a decimal "
+            "comma, write a point or put ';' behind it");
+    for (const CsvRow& row : rows) {
         const auto cell = [&](std::size_t k) {
             return k < row.cells.size() ? std::string(trimmed(row.cells[k])) : std::string();
         };

@@ -79,7 +79,8 @@ Result<void> make_book(BookArguments& arguments) {
     if (arguments.pdf) {
         Report report;
         TRY(const std::string pdf,
-            scene::pdf_of(drawn.book, folder.written_to(), paper, report, arguments.book.style, layout));
+            scene::pdf_of(drawn.book, difference ? &*difference : nullptr, folder.written_to(), paper, report,
+                          arguments.book.style, layout));
         print_report(report);
         TRY_VOID(write_file_atomic(folder.written_to() / "book.pdf", pdf));
     }

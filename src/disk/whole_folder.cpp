@@ -1,11 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "disk/whole_folder.h"
 
+#include "disk/crc32.h"
 #include "disk/files.h"
 #include "disk/temporary.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cstdint>
+#include <cstdio>
+#include <fstream>
+#include <map>
+#include <optional>
 #include <set>
 #include <utility>
 #include <vector>
@@ -14,8 +20,10 @@ namespace ghost {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr const char* kListName = ".ghostlight"; // "Ghostlight cue book", then a file a line, in order
+// "Ghostlight cue book", then a file a line, in order: "1a2b3c4d pictures/1.png", its CRC-32 in front.
+constexpr const char* kListName = ".ghostlight";
 constexpr const char* kMaker = "Ghostlight ";
+constexpr std::size_t kSumLetters = 8;
 constexpr std::uint64_t kMostListBytes = std::uint64_t{64} << 20;
 
 Error failed(const std::string& what, const std::error_code& code, const fs::path& path) {
@@ -51,6 +59,42 @@ Result<std::set<std::string>> files_in(const fs::path& folder) {
     return files;
 }
 
+// Nothing: no file, or one that cannot be read.
+std::optional<std::uint32_t> sum_of(const fs::path& file) {
+    if (!fs::is_regular_file(fs::symlink_status(file))) return std::nullopt;
+    std::ifstream stream(file, std::ios::binary);
+    std::vector<std::uint8_t> part(std::size_t{1} << 16);
+    std::uint32_t sum = 0;
+    while (stream) {
+        stream.read(reinterpret_cast<char*>(part.data()), static_cast<std::streamsize>(part.size()));
+        sum = crc32({part.data(), static_cast<std::size_t>(stream.gcount())}, sum);
+    }
+    return stream.eof() ? std::optional(sum) : std::nullopt;
+}
+
+std::string sum_text(std::uint32_t sum) {
+    char text[kSumLetters + 1];
+    std::snprintf(text, sizeof text, "%08x", sum);
+    return text;
+}
+
+// The files of a list by name, each with its sum; lists of older versions have names alone.
+std::map<std::string, std::optional<std::uint32_t>> files_of_list(std::string_view list) {
+    std::map<std::string, std::optional<std::uint32_t>> files;
+    for (std::size_t begin = 0, end; begin < list.size(); begin = end + 1) {
+        end = std::min(list.find('\n', begin), list.size());
+        const std::string_view line = list.substr(begin, end - begin);
+        std::uint32_t sum = 0;
+        const std::size_t most = std::min(kSumLetters, line.size());
+        const auto read = std::from_chars(line.data(), line.data() + most, sum, 16);
+        if (line.size() > kSumLetters && line[kSumLetters] == ' ' && read.ptr == line.data() + most)
+            files.emplace(line.substr(kSumLetters + 1), sum);
+        else
+            files.emplace(line, std::nullopt);
+    }
+    return files;
+}
+
 // Error: it is not all ours. folder: where it lies now; place: as people know it.
 Result<void> check_ours(const fs::path& folder, const fs::path& place, const std::string& kind) {
     if (!fs::is_directory(fs::symlink_status(folder)))
@@ -65,19 +109,20 @@ Result<void> check_ours(const fs::path& folder, const fs::path& place, const std
             "is there and is no " + kind + " that Ghostlight made (which .ghostlight in it would tell)" +
                 (files.empty() ? "" : ", with '" + *files.begin() + "' in it") + ": it is not replaced",
             place.string()};
-    std::set<std::string> made;
-    for (std::size_t begin = head.size(), end; begin < list->size(); begin = end + 1) {
-        end = std::min(list->find('\n', begin), list->size());
-        made.insert(list->substr(begin, end - begin));
-    }
+    const auto made = files_of_list(std::string_view(*list).substr(head.size()));
     for (const std::string& file : files) {
         // A folder out of which somebody took our files is ours.
         const auto within = made.lower_bound(file);
-        if (within != made.end() && (*within == file || (file.ends_with('/') && within->starts_with(file))))
-            continue;
-        return Error{"has '" + file +
-                         "', which Ghostlight did not make: it is not replaced before that is elsewhere",
-                     place.string()};
+        const bool is_folder = file.ends_with('/');
+        if (within == made.end() ||
+            !(within->first == file || (is_folder && within->first.starts_with(file))))
+            return Error{"has '" + file +
+                             "', which Ghostlight did not make: it is not replaced before that is elsewhere",
+                         place.string()};
+        if (!is_folder && within->second && sum_of(folder / file) != within->second)
+            return Error{"has '" + file +
+                             "', which somebody changed: it is not replaced before that is elsewhere",
+                         place.string()};
     }
     return {};
 }
@@ -123,7 +168,11 @@ Result<void> WholeFolder::make_folder(const std::string& name) const {
 Result<void> WholeFolder::commit() {
     std::string list = kMaker + kind_ + "\n";
     TRY(const std::set<std::string> files, files_in(temporary_));
-    for (const std::string& file : files) list += file + "\n";
+    for (const std::string& file : files) {
+        const std::optional<std::uint32_t> sum = file.ends_with('/') ? 0 : sum_of(temporary_ / file);
+        if (!sum) return Error{"'" + file + "' in it cannot be read again", folder_.string()};
+        list += sum_text(*sum) + " " + file + "\n";
+    }
     TRY_VOID(write_file_atomic(temporary_ / kListName, list));
     std::error_code code;
     fs::path before;

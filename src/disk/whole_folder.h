@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // WholeFolder: a folder of files that is put into its place whole, or not at all: it is written beside it
 // under a temporary name. What stands in its place is replaced only where it is empty or we made all of it,
-// which is looked at in the beginning and in the end: a list in it, ".ghostlight", tells its kind and its
-// files. What killed programs left of theirs is removed. Errors name the folder. One thread at a time.
+// and nobody changed it since, which is looked at in the beginning and in the end: a list in it,
+// ".ghostlight", tells its kind, its files and their sums. What killed programs left of theirs is removed.
+// Errors name the folder. One thread at a time.
 
 #include "base/result.h"
 
@@ -14,7 +15,7 @@ namespace ghost {
 
 class WholeFolder {
 public:
-    // kind: "cue book". Error: something else stands there, or one of that kind with files of somebody else,
+    // kind: "cue book". Error: something else stands there, or one of that kind with work of somebody else,
     // or the folder around it is not there or cannot be written.
     static Result<WholeFolder> open(const std::filesystem::path& folder, const std::string& kind);
 

@@ -18,6 +18,7 @@ constexpr float kFarthest_m = 300;
 constexpr float kOnLine_m = 0.005f;
 constexpr float kOpen = 0.995f;     // an iris that narrows nothing
 constexpr float kBehind_m = 0.001f; // what is looked through
+constexpr float kSeam_m = 0.01f;    // from the middle of a beam to what closes a gap between two decks
 
 // A file without a Beam has been given one, and where its zooms have no range they have been given the angle
 // of its first Beam at both ends.
@@ -65,9 +66,39 @@ void aim(const glm::mat4& to_world, const fixture::State& state, FocusLamp& lamp
     lamp.angle_deg = angle_behind_iris_deg(state.beams[0].optics);
 }
 
+// Across the way.
+glm::vec3 aside_of(const glm::vec3& way) {
+    return glm::normalize(glm::cross(way, std::abs(way.z) < 0.9f ? glm::vec3(0, 0, 1) : glm::vec3(1, 0, 0)));
+}
+
+// What the middle of a beam would meet if it did not fall through a gap narrower than two centimetres: both
+// of its sides then meet it at one distance, in front of what the middle meets.
+std::optional<FocusHit> beside_seam(const glm::vec3& from_m, const glm::vec3& way, const FindHit& find,
+                                    const std::optional<FocusHit>& middle) {
+    const glm::vec3 aside = aside_of(way), up = glm::cross(aside, way);
+    for (const glm::vec3& across : {aside, up, glm::normalize(aside + up), glm::normalize(aside - up)}) {
+        const std::optional<FocusHit> one = find(from_m + kSeam_m * across, way);
+        const std::optional<FocusHit> other = find(from_m - kSeam_m * across, way);
+        if (!one || !other || one->is_bar || other->is_bar || glm::dot(one->normal, other->normal) < kLevel)
+            continue;
+        const float distance_m = 0.5f * (one->distance_m + other->distance_m);
+        // A slope between two sides as far apart as they are: what both lie on.
+        const float apart_m = std::abs(one->distance_m - other->distance_m);
+        const float slope = std::abs(glm::dot(one->normal, way));
+        if (apart_m * slope > 2.1f * kSeam_m || (middle && distance_m + kSeam_m > middle->distance_m))
+            continue;
+        FocusHit closed = *one;
+        closed.distance_m = distance_m;
+        return closed;
+    }
+    return std::nullopt;
+}
+
 std::optional<FocusHit> hit_of(FocusLamp& lamp, const FindHit& find) {
     for (float gone_m = 0;;) {
-        std::optional<FocusHit> hit = find(lamp.lens_m + gone_m * lamp.way, lamp.way);
+        const glm::vec3 from_m = lamp.lens_m + gone_m * lamp.way;
+        std::optional<FocusHit> hit = find(from_m, lamp.way);
+        if (auto closed = beside_seam(from_m, lamp.way, find, hit)) hit = std::move(closed);
         if (!hit) return hit;
         hit->distance_m += gone_m;
         if (!hit->is_bar || hit->distance_m >= kAtLens_m) return hit;
@@ -78,9 +109,7 @@ std::optional<FocusHit> hit_of(FocusLamp& lamp, const FindHit& find) {
 
 void add_pool(FocusLamp& lamp) {
     const float floor_m = lamp.aim_m().z;
-    const glm::vec3 aside = glm::normalize(
-        glm::cross(lamp.way, std::abs(lamp.way.z) < 0.9f ? glm::vec3(0, 0, 1) : glm::vec3(1, 0, 0)));
-    const glm::vec3 up = glm::cross(aside, lamp.way);
+    const glm::vec3 aside = aside_of(lamp.way), up = glm::cross(aside, lamp.way);
     const float half = glm::radians(0.5f * lamp.angle_deg);
     std::size_t after_gap = 0; // the first point behind where the edge misses the floor
     for (int k = 0; k < kEdge; ++k) {

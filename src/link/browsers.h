@@ -69,7 +69,7 @@ struct SidePicture {
     std::uint64_t number = 0; // of the view
     std::shared_ptr<const image::Image8> image;
     float ev100 = 0;
-    bool is_still = false; // renewed when the show rests, and not before
+    bool is_still = false; // renewed now and then while the lamps move, and whole when they rest
     std::optional<SideMeasure> measure;
 };
 

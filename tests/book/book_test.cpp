@@ -421,6 +421,21 @@ TEST(Marks, have_the_separator_of_their_first_line) {
     EXPECT_NE(refused.messages[0].what.find("5 parts, expected at most 4"), std::string::npos);
 }
 
+TEST(Marks, that_may_be_decimals_with_commas_say_so) {
+    const auto warnings = [](std::string_view csv) {
+        Report report;
+        read_marks(csv, "cues.csv", 0, report);
+        return report.messages.size();
+    };
+    EXPECT_EQ(warnings("83,5\n91,2\n"), 1u);
+    EXPECT_EQ(warnings("Zeit\n83,50\n91,25\n95,00\n"), 1u);
+    EXPECT_EQ(warnings("83,5\n"), 1u);
+    EXPECT_EQ(warnings("0,1\n12,2\n25,10\n"), 0u) << "numbers that count on";
+    EXPECT_EQ(warnings("83,5,Solo\n91,2,Verse\n"), 0u);
+    EXPECT_EQ(warnings("83,5;\n91,2;\n"), 0u);
+    EXPECT_EQ(warnings("time,number\n83,1\n91,2\n"), 0u);
+}
+
 TEST(Marks, have_no_separator_from_their_words) {
     for (const std::string head : {"time,cue; name\n", "Show: list; made by me\n", ""}) {
         Report report;

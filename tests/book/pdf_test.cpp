@@ -39,7 +39,7 @@ Book book_of_pictures(const TestFolder& folder, std::size_t entries) {
 Result<std::string> of_book(const Book& book, const std::filesystem::path& folder,
                             PaperSize size = PaperSize::a4, BookLayout layout = BookLayout::list) {
     Report report;
-    Result<std::string> pdf = pdf_of(book, folder, size, report, {}, layout);
+    Result<std::string> pdf = pdf_of(book, nullptr, folder, size, report, {}, layout);
     for (const Message& message : report.messages) // which fonts a machine has is its own
         EXPECT_NE(message.what.find("no font"), std::string::npos) << message.what;
     return pdf;
@@ -80,6 +80,25 @@ TEST(BookPdf, as_a_grid_has_twelve_entries_on_a_page) {
     book.entries[1].name = std::string(10'000, 'x');
     book.entries[2].unknown.assign(100, "not known");
     expect_whole(must(of_book(book, folder.path, PaperSize::a4, BookLayout::grid)));
+}
+
+TEST(BookPdf, begins_with_what_changed) {
+    const TestFolder folder;
+    const Book book = book_of_pictures(folder, 5);
+    BookDifference difference;
+    difference.old_name = "Demo of yesterday";
+    const auto pdf_since = [&] {
+        Report report;
+        return must(pdf_of(book, &difference, folder.path, PaperSize::a4, report));
+    };
+    expect_pages(pdf_since(), 3);
+    difference.entries.assign(100, "'Cue 1' is new");
+    difference.fixtures = {std::string(100'000, 'x'), "Spot 1 is gone"};
+    difference.pictures.push_back({"Cue 1", "house", "", "", "", {}, "the older book has none"});
+    const std::string pdf = pdf_since();
+    expect_whole(pdf);
+    expect_pages(pdf, 2 + 4); // entries on two, a name as long as a page, the rest
+    EXPECT_EQ(pdf_since(), pdf);
 }
 
 TEST(BookPdf, of_names_of_any_script_and_length_is_made) {
@@ -123,14 +142,14 @@ TEST(BookPdf, says_letters_that_no_font_has) {
     Book book = book_of_pictures(folder, 2);
     book.entries[1].notes = "Stand by " + kLetterOfNoFont;
     Report report;
-    const std::string said = must(pdf_of(book, folder.path, PaperSize::a4, report));
+    const std::string said = must(pdf_of(book, nullptr, folder.path, PaperSize::a4, report));
     ASSERT_EQ(report.messages.size(), 1u);
     EXPECT_EQ(report.messages[0].what,
               "Letters that no font of this machine has are printed as boxes, as in 'Stand by " +
                   kLetterOfNoFont + "'");
     book.entries[1].notes += std::string(200, 'x');
     Report longer;
-    must(pdf_of(book, folder.path, PaperSize::a4, longer));
+    must(pdf_of(book, nullptr, folder.path, PaperSize::a4, longer));
     ASSERT_EQ(longer.messages.size(), 1u);
     EXPECT_LT(longer.messages[0].what.size(), 140u) << "a name of any length is quoted";
 }

@@ -54,7 +54,7 @@ TEST(WholeFolder, replaces_one_of_its_own_and_nothing_else) {
     make(out, "cue book", "2");
     EXPECT_EQ(must(read_text_file(out / "book.json", 10)), "2");
     EXPECT_EQ(must(read_text_file(out / ".ghostlight", 100)),
-              "Ghostlight cue book\nbook.json\npictures/1.png\n");
+              "Ghostlight cue book\n1ad5be0d book.json\n1ad5be0d pictures/1.png\n");
     EXPECT_EQ(entries_of(home.path), 1u);
     EXPECT_FALSE(WholeFolder::open(out, "tour").ok()) << "another kind";
     for (const char* own : {"thesis.txt", "pictures/holiday.jpg"}) {
@@ -85,6 +85,33 @@ TEST(WholeFolder, never_replaces_a_folder_with_a_file_of_the_same_name) {
         EXPECT_FALSE(WholeFolder::open(out, "cue book").ok()) << list;
     }
     EXPECT_EQ(must(read_text_file(out / "book.json", 10)), "{}");
+}
+
+TEST(WholeFolder, leaves_what_somebody_changed) {
+    const TestFolder home;
+    const fs::path out = home.path / "book";
+    make(out, "cue book", "1");
+    const auto refusal = [&] {
+        const auto folder = WholeFolder::open(out, "cue book");
+        return folder.ok() ? "" : folder.error().what;
+    };
+    write(out / "pictures/1.png", "2"); // as long as before
+    EXPECT_EQ(refusal(),
+              "has 'pictures/1.png', which somebody changed: it is not replaced before that is elsewhere");
+    fs::remove(out / "pictures/1.png");
+    EXPECT_EQ(refusal(), "") << "what is gone cannot be lost";
+    fs::create_symlink(out / "book.json", out / "pictures/1.png");
+    EXPECT_NE(refusal(), "") << "it is a file no more";
+    fs::remove(out / "pictures/1.png");
+    {
+        WholeFolder folder = must(WholeFolder::open(out, "cue book"));
+        write(folder.written_to() / "book.json", "2");
+        write(out / "book.json", "with a remark");
+        EXPECT_FALSE(folder.commit().ok()) << "meanwhile";
+    }
+    EXPECT_EQ(must(read_text_file(out / "book.json", 20)), "with a remark");
+    write(out / ".ghostlight", "Ghostlight cue book\nbook.json\npictures/1.png\n");
+    EXPECT_EQ(refusal(), "") << "lists of older versions have no sums";
 }
 
 TEST(WholeFolder, leaves_what_somebody_put_there_meanwhile) {

@@ -98,6 +98,34 @@ TEST(Focus, that_hits_no_floor_has_no_pool) {
     EXPECT_EQ(table_of(focus_of(up, states_of(up), none, {}, "Now.")).rows[0].cells[7], "hits nothing");
 }
 
+// Decks at z = 1 below the lamp, so far apart, along x or y; a floor at z = 0.
+FindHit decks(float gap_m, bool is_along_x) {
+    return [=](const glm::vec3& from_m, const glm::vec3& way) -> std::optional<FocusHit> {
+        const glm::vec3 up(0, 0, 1);
+        const float to_deck_m = (1 - from_m.z) / way.z;
+        const glm::vec3 at_m = from_m + to_deck_m * way - glm::vec3(1, 2, 0);
+        if (std::abs(is_along_x ? at_m.y : at_m.x) > 0.5f * gap_m) return FocusHit{to_deck_m, up, "Deck"};
+        return FocusHit{-from_m.z / way.z, up, "Floor"};
+    };
+}
+
+TEST(Focus, falls_through_no_seam_of_two_decks) {
+    const Show show = lamp_at(0);
+    for (const bool is_along_x : {false, true}) {
+        const auto lamp_over = [&](float gap_m) {
+            return focus_of(show, states_of(show), decks(gap_m, is_along_x), {}, "Now.").lamps[0];
+        };
+        EXPECT_EQ(lamp_over(0.004f).hit->what, "Deck") << is_along_x;
+        EXPECT_NEAR(lamp_over(0.004f).hit->distance_m, 4, 1e-4);
+        EXPECT_EQ(lamp_over(0.5f).hit->what, "Floor") << "which is no seam";
+    }
+    const FindHit hole = [](const glm::vec3& from_m, const glm::vec3&) {
+        const bool is_beside = glm::distance(glm::vec2(from_m), glm::vec2(1, 2)) > 0.005f;
+        return is_beside ? std::nullopt : std::optional(FocusHit{5, {0, 0, 1}, "Floor"});
+    };
+    EXPECT_EQ(focus_of(show, states_of(show), hole, {}, "Now.").lamps[0].hit->what, "Floor");
+}
+
 TEST(Focus, whose_edge_leaves_the_floor_says_so) {
     const Show show = lamp_at(85);
     const FocusChart chart = focus_of(show, states_of(show), {}, {}, "Now.");

@@ -133,11 +133,11 @@ void Engine::draw_beside(double begin_s) {
     const bool lamps_rest = rests || (session_->atmosphere().is_uneven() && live_.is_whole(shown_.camera) &&
                                       begin_s - last_change_s_ >= LivePicture::kRest_s);
     const bool is_whole = shown_.is_baked || live_.is_whole(shown_.camera);
-    side_views_.draw(*session_, shown_.lights, {begin_s, last_change_s_, air_s_, lamps_rest, is_whole},
-                     probe_, stop_of(begin_s));
-    const bool for_browsers = link_.wants_small_pictures;
     // A show that plays would end each of them; who looks on from elsewhere waits for no rest.
     const std::function<bool()> stop = lamps_rest ? stop_of(begin_s) : [this] { return stop_.load(); };
+    side_views_.draw(*session_, shown_.lights, {begin_s, last_change_s_, air_s_, lamps_rest, is_whole},
+                     probe_, stop);
+    const bool for_browsers = link_.wants_small_pictures;
     if ((rests && request_.wants_camera_pictures) || for_browsers)
         camera_pictures_.draw(*session_, shown_.lights, {begin_s, last_change_s_, air_s_, !lamps_rest}, stop);
     if (for_browsers && lamps_rest) look_pictures_.draw(*session_, begin_s, stop_of(begin_s));

@@ -10,7 +10,9 @@
 namespace ghost::app {
 namespace {
 
-constexpr double kRestsPerTime = 4; // a fifth of the engine's time
+constexpr double kRestsPerTime = 4;         // a fifth of the engine's time
+constexpr double kRestsPerHurriedTime = 24; // a twenty-fifth
+constexpr int kHurriedWidth = 320, kHurriedHeight = 180;
 constexpr int kStillWidth = 640, kStillHeight = 360;
 constexpr int kSideWidth = 854, kSideHeight = 480;
 
@@ -49,41 +51,56 @@ void SideViews::draw(const Session& session, const scene::FrameLights& lit, cons
                      PictureProbe& probe, const std::function<bool()>& stop) {
     take_requests();
     const bool is_still = session.device->is_cpu();
-    if (is_still ? !now.rests : !now.is_whole || now.now_s < may_go_s_) return;
+    const bool is_hurried = is_still && !now.rests;
+    if (is_hurried ? now.now_s < may_go_s_ : !is_still && (!now.is_whole || now.now_s < may_go_s_)) return;
     for (std::size_t step = 1; step <= sides_.size(); ++step) {
         const std::size_t index = (last_ + step) % sides_.size();
         Side& side = sides_[index];
         const bool is_new = side.drawn.number != side.view.number || side.of_changed_s != now.changed_s;
         if (!side.is_wanted || !is_new || stop()) continue;
         const double begin_s = steady_now_s();
-        const auto rest = [&] { may_go_s_ = now.now_s + (1 + kRestsPerTime) * (steady_now_s() - begin_s); };
-        if (!side.small) {
-            if (!SmallPicture::fits(session)) return;
-            side.small = std::make_unique<SmallPicture>(session, is_still ? kStillWidth : kSideWidth,
-                                                        is_still ? kStillHeight : kSideHeight);
-        }
+        const auto rest = [&] {
+            const double taken_s = steady_now_s() - begin_s;
+            may_go_s_ = now.now_s + (1 + (is_hurried ? kRestsPerHurriedTime : kRestsPerTime)) * taken_s;
+        };
+        SmallPicture* const small = small_of(side, session, is_hurried);
+        if (!small) return;
         const scene::Camera camera = scene::riding(side.view.camera, *session.rig);
-        auto picture = side.small->draw(camera, lit, now.air_s, stop);
+        auto picture = small->draw(camera, lit, now.air_s, stop);
         if (!picture) return rest();
         last_ = index;
-        side.of_changed_s = now.changed_s;
+        side.of_changed_s = is_hurried ? -1 : now.changed_s;
         side.drawn = {side.view.number,
                       std::make_shared<const image::Image8>(std::move(*picture)),
-                      side.small->ev100_used(),
+                      small->ev100_used(),
                       is_still,
                       {}};
-        if (side.view.probe) side.drawn.measure = measure(side, camera, session, lit, probe);
+        if (side.view.probe) side.drawn.measure = measure(side, *small, camera, session, lit, probe);
         rest();
         publish();
         return;
     }
 }
 
-ui::SideMeasure SideViews::measure(const Side& side, scene::Camera camera, const Session& session,
-                                   const scene::FrameLights& lit, PictureProbe& probe) const {
+SmallPicture* SideViews::small_of(Side& side, const Session& session, bool is_hurried) {
+    std::unique_ptr<SmallPicture>& small = is_hurried ? hurried_ : side.small;
+    if (small) return small.get();
+    if (!SmallPicture::fits(session)) return nullptr;
+    if (is_hurried)
+        small = std::make_unique<SmallPicture>(session, kHurriedWidth, kHurriedHeight);
+    else if (session.device->is_cpu())
+        small = std::make_unique<SmallPicture>(session, kStillWidth, kStillHeight);
+    else
+        small = std::make_unique<SmallPicture>(session, kSideWidth, kSideHeight);
+    return small.get();
+}
+
+ui::SideMeasure SideViews::measure(const Side& side, SmallPicture& small, scene::Camera camera,
+                                   const Session& session, const scene::FrameLights& lit,
+                                   PictureProbe& probe) const {
     camera.width = side.drawn.image->width;
     camera.height = side.drawn.image->height;
-    return probe.measure(*side.view.probe, luminance_of(side.small->frame()), camera, session, lit);
+    return probe.measure(*side.view.probe, luminance_of(small.frame()), camera, session, lit);
 }
 
 void SideViews::publish() {
@@ -95,6 +112,7 @@ void SideViews::publish() {
 }
 
 void SideViews::forget() {
+    hurried_.reset();
     for (Side& side : sides_) {
         side.small.reset();
         side.drawn = {};

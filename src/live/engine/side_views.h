@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // SideViews: pictures from other cameras than the window's, for browsers: two at most, each with a relighter
 // of its own on the same device. They are drawn after the main picture, in a fifth of the time at most, and
-// never while that is coarse. A device that is a processor draws them when the show rests alone: they are
-// stills, and say so. Seconds. Engine thread.
+// never while that is coarse. On a device that is a processor they are stills, and say so: drawn when the
+// lamps rest, and smaller, in a twenty-fifth of the time, while they move. Seconds. Engine thread.
 
 #include "link/link.h"
 #include "live/engine/picture_probe.h"
@@ -23,10 +23,10 @@ public:
         double now_s = 0;
         double changed_s = 0; // when the picture moved last
         double air_s = 0;
-        bool rests = false;    // the main picture is all that it can be
+        bool rests = false;    // the lamps do, and the main picture is all that it can be
         bool is_whole = false; // it has all its pixels
     };
-    // One at most. stop: something else is to be shown.
+    // One at most. stop: something else is to be shown, where the lamps rest; where they move, the end.
     void draw(const Session& session, const scene::FrameLights& lit, const Now& now, PictureProbe& probe,
               const std::function<bool()>& stop);
     // The session is another one.
@@ -38,16 +38,18 @@ private:
         bool is_wanted = false;
         std::unique_ptr<SmallPicture> small;
         ui::SidePicture drawn;    // number 0: none
-        double of_changed_s = -1; // Now::changed_s then
+        double of_changed_s = -1; // Now::changed_s then; -1: smaller than at rest, or none
     };
     void take_requests();
-    ui::SideMeasure measure(const Side& side, scene::Camera camera, const Session& session,
-                            const scene::FrameLights& lit, PictureProbe& probe) const;
+    SmallPicture* small_of(Side& side, const Session& session, bool is_hurried);
+    ui::SideMeasure measure(const Side& side, SmallPicture& small, scene::Camera camera,
+                            const Session& session, const scene::FrameLights& lit, PictureProbe& probe) const;
     void publish();
 
     ui::Link& link_;
     std::array<Side, ui::kMostSideViews> sides_;
-    std::size_t last_ = 0; // that was drawn
+    std::unique_ptr<SmallPicture> hurried_; // of all sides, while the lamps move
+    std::size_t last_ = 0;                  // that was drawn
     double may_go_s_ = 0;
 };
 

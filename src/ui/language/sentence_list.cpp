@@ -865,6 +865,8 @@ constexpr const char* kSentences[] = {
     QT_TRANSLATE_NOOP("Sentence",
                       "has '%1', which Ghostlight did not make: it is not replaced before that is "
                       "elsewhere"),
+    QT_TRANSLATE_NOOP("Sentence",
+                      "has '%1', which somebody changed: it is not replaced before that is elsewhere"),
     QT_TRANSLATE_NOOP("Sentence", "the show has no mover '%1', did you mean '%2'?"),
     QT_TRANSLATE_NOOP("Sentence", "the show has no mover '%1'"),
     QT_TRANSLATE_NOOP("Sentence", "mover '%1' has %2 axes, expected a number for each, or off"),

@@ -114,6 +114,25 @@ TEST_F(SideViewsOfDemo, another_camera_is_drawn_and_measured_and_the_main_pictur
     EXPECT_EQ(main->camera.name, opened.show->cameras.front().name) << "the window's own is where it was";
 }
 
+TEST_F(SideViewsOfDemo, come_while_the_show_plays_too) {
+    still_->request.frozen = false;
+    still_->request.transport.playing = true;
+    still_->send();
+    want({{.number = 11, .camera = opened.show->cameras.back(), .probe = {}}});
+    const auto of_11 = [&](int width) {
+        const auto all = link.side_pictures.take();
+        return all && all->size() == 1 && all->front().number == 11 &&
+               (width == 0 || all->front().image->width == width);
+    };
+    EXPECT_TRUE(comes_within(60, [&] { return of_11(0); })) << "nobody waits for a rest";
+    still_->request.frozen = true;
+    still_->send();
+    if (opened.device.find("llvmpipe") != std::string::npos) {
+        EXPECT_TRUE(comes_within(60, [&] { return of_11(640); })) << "and whole when the lamps rest";
+    }
+    want({});
+}
+
 TEST_F(SideViewsOfDemo, looks_are_drawn_as_they_would_be) {
     std::vector<scene::StoredLook> looks(2);
     looks[0].name = "all on";
