@@ -135,9 +135,8 @@ private:
             kMargin_pt + 0.75 * width, kMargin_pt - 12, 0.25 * width,
             style_("cue book, page %1 of %2", {std::to_string(page + 1), std::to_string(pages_)}),
             {.size_pt = 8, .is_grey = true, .is_right = true});
-        std::string said;
-        for (const std::string& sentence : unknown_) said += (said.empty() ? "" : "; ") + sentence;
-        if (page == 0) pdf_.text(kMargin_pt, kMargin_pt + 2, width, kUnknown_pt, said, kSmall);
+        if (page == 0)
+            draw_list(kMargin_pt, kMargin_pt + 2, width, kMargin_pt + 2 + kUnknown_pt, unknown_, kSmall);
     }
 
     std::string look_for_boxes() {

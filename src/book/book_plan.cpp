@@ -36,10 +36,13 @@ void plan_cues(const Show& show, const std::vector<StoredLook>& looks, const Pri
         entry.follow_s = cue.follow_s;
         entry.fade_s = cue.fade_s;
         if (!cue.look.empty()) {
-            look = index_of(looks, cue.look);
-            is_look_missing = !look;
-            if (!look) entry.unknown.push_back(style("the show has no look '%1'", {cue.look}));
-            if (look && !entry.fade_s) entry.fade_s = looks[*look].fade_s;
+            const std::optional<std::size_t> named = index_of(looks, cue.look);
+            is_look_missing = !named;
+            if (named)
+                look = named; // else the one before stays, as in the window
+            else
+                entry.unknown.push_back(style("the show has no look '%1'", {cue.look}));
+            if (named && !entry.fade_s) entry.fade_s = looks[*named].fade_s;
         }
         at_s = cue.at_s ? cue.at_s : at_s;
         if (!cue.camera.empty()) {

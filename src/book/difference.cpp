@@ -197,6 +197,17 @@ std::set<std::string> cameras_of(const Book& book) {
     return names;
 }
 
+// What is in both books follows each other in both.
+bool is_one_order(const std::vector<std::optional<std::size_t>>& older) {
+    std::optional<std::size_t> before;
+    for (const std::optional<std::size_t>& place : older) {
+        if (!place) continue;
+        if (before && *place != *before + 1) return false;
+        before = place;
+    }
+    return true;
+}
+
 } // namespace
 
 BookDifference difference_of(const Book& old, const Book& now, const PrintStyle& style) {
@@ -212,9 +223,9 @@ BookDifference difference_of(const Book& old, const Book& now, const PrintStyle&
         difference.unknown.push_back(
             style("the older pictures were drawn by '%1': what two devices draw differs a little by itself",
                   {old.device}));
-    if (cameras_of(old) != cameras_of(now))
+    if (old.is_for_client || cameras_of(old) != cameras_of(now) || !is_one_order(older_entries(old, now)))
         difference.unknown.push_back(
-            style("the older book has other cameras: where a picture is drawn after another one "
+            style("the older pictures were drawn in another order: where one is drawn after another one "
                   "it may round otherwise, which is not seen"));
     if (old.ev100 != now.ev100)
         difference.unknown.push_back(

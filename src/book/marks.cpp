@@ -178,7 +178,16 @@ bool may_be_decimals(const std::vector<CsvRow>& rows) {
 std::vector<Mark> read_marks(std::string_view csv, const std::string& file, double frames_per_s,
                              Report& report) {
     if (csv.starts_with("\xef\xbb\xbf")) csv.remove_prefix(3);
-    const char separator = separator_of(csv);
+    if (csv.find('\0') != std::string_view::npos) {
+        report.add(
+            Severity::error, file,
+            "is no text of UTF-8 (of UTF-16, as spreadsheets write it, perhaps): save it as CSV in UTF-8");
+        return {};
+    }
+    // "sep=;", as spreadsheets write it.
+    const bool is_told = csv.starts_with("sep=") && csv.size() > 4 &&
+                         std::string_view(";\t,").find(csv[4]) != std::string_view::npos;
+    const char separator = is_told ? csv[4] : separator_of(csv);
     const std::string parts_at = separator == '\t' ? "a tab" : std::string("a '") + separator + "'";
     std::vector<Mark> marks;
     std::size_t most_cells = kMostColumns;
@@ -196,7 +205,7 @@ std::vector<Mark> read_marks(std::string_view csv, const std::string& file, doub
         std::size_t cells = row.cells.size();
         while (cells > 0 && cell(cells - 1).empty()) --cells;
         std::string time = cell(0);
-        if (cells == 0 || time.starts_with('#')) continue;
+        if (cells == 0 || time.starts_with('#') || (is_told && row.line == 1)) continue;
         // A heading, whatever its language; columns that it has beyond ours are somebody's own.
         if (std::exchange(is_first, false) && time.find_first_of("0123456789") == std::string::npos) {
             most_cells = std::max(most_cells, cells);
@@ -229,7 +238,9 @@ std::vector<Mark> read_marks(std::string_view csv, const std::string& file, doub
                     : begins_with_drop_frame(time)
                         ? "; drop frame has no frames 0 and 1 in a minute's first second but each tenth's"
                     : has_frames ? "; frames need --mark-fps"
-                                 : ""));
+                    : separator == ',' && time.find(',') != std::string::npos
+                        ? "; where decimals have commas ';' parts the cells"
+                        : ""));
             continue;
         }
         if (marks.size() == kMostEntries) {

@@ -82,11 +82,17 @@ public:
         if (const auto call = link_.camera_call.take()) look_from(call->camera);
         if (const auto news = link_.rig.take()) rig_ = *news;
         if (const auto call = link_.look_call.take()) recall(*call);
+        if (const auto called = link_.cue_call.take()) follow(*called);
         return {};
     }
 
     // A fade that is on its way. False: none is.
     bool go_on() {
+        if (follows_at_s_ && steady_now_s() >= *follows_at_s_) {
+            follows_at_s_.reset();
+            (void)link_.commands.put({0, "cue/go", {}});
+            link_.wake.raise();
+        }
         if (fade_s_ <= 0) return false;
         const double share = (steady_now_s() - fade_begin_s_) / fade_s_;
         if (share >= 1 || !show_) fade_s_ = 0;
@@ -101,6 +107,7 @@ private:
         show_ = opened.show;
         look_ = request_.look = {};
         fade_s_ = 0;
+        follows_at_s_.reset();
         Report report;
         auto looks = scene::load_looks(scene::looks_file(*show_), report);
         if (!looks.ok()) report.add(Severity::error, looks.error().where, looks.error().what);
@@ -142,6 +149,15 @@ private:
         send();
     }
 
+    // Where a cue says seconds of "follow" the next one goes by itself.
+    void follow(const std::string& called) {
+        follows_at_s_.reset();
+        if (!show_) return;
+        const auto cue = std::ranges::find(show_->cues, called, &scene::Cue::name);
+        if (cue != show_->cues.end() && cue->follow_s && cue + 1 != show_->cues.end())
+            follows_at_s_ = steady_now_s() + static_cast<double>(*cue->follow_s);
+    }
+
     void publish_looks(const std::string& current) {
         link_.looks.put({looks_, current});
         link_.on_news();
@@ -161,6 +177,7 @@ private:
     ui::RigNow rig_;
     ui::Look look_, from_; // that is meant, and that it fades from
     double fade_s_ = 0, fade_begin_s_ = 0;
+    std::optional<double> follows_at_s_; // when the next cue goes; none: by itself it does not
 };
 
 Result<void> run(const ServeArguments& arguments) {

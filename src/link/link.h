@@ -309,6 +309,7 @@ struct Link {
     Mailbox<CameraCall> camera_call;
     News<std::vector<NamedPicture>> camera_pictures; // all there are
     Mailbox<LookCall> look_call;
+    Mailbox<std::string> cue_call; // by a remote control, which has called its camera and its look, too
     Mailbox<RdmNow> rdm;
     BoundedQueue<RdmEdit, kMostRdmEdits> rdm_edits;
 
@@ -317,8 +318,9 @@ struct Link {
     Mailbox<Explained> answer;
     BoundedQueue<Command, kMostCommands> commands;
     BoundedQueue<CommandAnswer, kMostCommands> command_answers;
-    std::atomic<bool> wants_small_pictures{false};   // of cameras and looks, for browsers
-    News<LooksNow> looks;                            // of whoever keeps them: to the engine and to browsers
+    std::atomic<bool> wants_small_pictures{false}; // of cameras and looks, for browsers
+    News<LooksNow> looks;                          // of whoever keeps them: to the engine and to browsers
+    News<std::string> cue; // likewise: name of the one that was called last; "": none was
     News<std::vector<NamedPicture>> look_pictures;   // all there are; for browsers alone
     Mailbox<std::vector<SideView>> side_views;       // that are wanted from now on
     Mailbox<std::vector<SidePicture>> side_pictures; // of them, all there are

@@ -404,11 +404,11 @@ inline constexpr Translation kWords[] = {
     {"%1 has the look %2, had %3", "%1 hat den Look %2, hatte %3"},
     {"%1 was called %2", "%1 hieß %2"},
     {"%1 moved by %2", "%1 um %2 versetzt"},
-    {"the older book has other cameras: where a picture is drawn after another one it may round otherwise, "
-     "which is not seen",
-     "das ältere Buch hat andere Kameras: wo ein Bild nach einem anderen gezeichnet wird, kann es anders "
-     "runden, "
-     "was man nicht sieht"},
+    {"the older pictures were drawn in another order: where one is drawn after another one it may round "
+     "otherwise, which is not seen",
+     "die älteren Bilder wurden in anderer Reihenfolge gezeichnet: wo eines nach einem anderen gezeichnet "
+     "wird, "
+     "kann es anders runden, was man nicht sieht"},
     {"By turns", "Im Wechsel"},
     {"%1 hangs otherwise, turned by %2 deg", "%1 hängt anders, um %2 Grad gedreht"},
     {"whether a fixture hangs otherwise is not known: the older book does not say how they hang",

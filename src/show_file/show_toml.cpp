@@ -36,9 +36,9 @@ std::string name_of(TableReader& reader, const std::string& kind, std::size_t nu
                     std::map<std::string, int>& line_of_name) {
     std::string name = kind + " " + std::to_string(number);
     if (const auto text = reader.text("name")) {
-        if (is_good_name(*text))
-            name = *text;
-        else
+        const std::string near = good_name(*text);
+        if (!near.empty()) name = near;
+        if (!is_good_name(*text))
             reader.problem(Severity::warning, "name",
                            "'" + text->substr(0, 40) +
                                "' cannot name a file (1 to 100 bytes, no leading dot, none of "

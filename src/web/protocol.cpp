@@ -51,14 +51,6 @@ unsigned byte_of(float share) {
                                 : 0u;
 }
 
-// The cue of the recording that was passed last.
-std::string cue_at(const scene::Show& show, double at_s) {
-    const scene::Cue* last = nullptr;
-    for (const scene::Cue& cue : show.cues)
-        if (cue.at_s && *cue.at_s <= at_s && (!last || *cue.at_s >= *last->at_s)) last = &cue;
-    return last ? last->name : "";
-}
-
 ordered_json desk_json(const StateNow& now) {
     ordered_json sources = ordered_json::array();
     for (const dmx::SourceStatus& source : now.network->sources) {
@@ -207,13 +199,15 @@ std::string state_text(const StateNow& now) {
         const auto shines =
             std::count_if(now.rig->fixtures.begin(), now.rig->fixtures.end(),
                           [](const ui::FixtureNow& fixture) { return fixture.candela >= kShines_cd; });
-        state["source"] = now.rig->from_desk ? "desk" : now.rig->recording_s > 0 ? "recording" : "none";
+        state["source"] = now.rig->from_desk && now.network                 ? "desk"
+                          : now.rig->from_desk || now.rig->recording_s <= 0 ? "none"
+                                                                            : "recording";
         state["at_s"] = now.rig->at_s;
         state["recording_s"] = now.rig->recording_s;
         if (!now.rig->timecode.empty()) state["timecode"] = now.rig->timecode;
         state["shining"] = shines;
         state["lamps"] = now.rig->fixtures.size();
-        if (now.show && !now.rig->from_desk) state["cue"] = cue_at(*now.show, now.rig->at_s);
+        if (!now.cue.empty()) state["cue"] = now.cue;
     }
     if (now.network) state["desk"] = desk_json(now);
     ordered_json lookers = ordered_json::array();

@@ -99,8 +99,8 @@ struct StateNow {
     const ui::Picture* picture = nullptr; // null: none yet
     const ui::RigNow* rig = nullptr;
     const dmx::Statistics* network = nullptr; // null: nothing is listened to, or not yet
-    const scene::Show* show = nullptr;
-    std::vector<std::string> problems; // between desk and show
+    std::string cue;                          // that the show is in; "": none is known
+    std::vector<std::string> problems;        // between desk and show
     std::vector<Looker> lookers;
 };
 std::string hello_text(Right right);

@@ -41,6 +41,7 @@ void Server::set_news(bool wanted) {
     link_.network.also_for_second(wanted);
     link_.messages.also_for_second(wanted);
     link_.looks.also_for_second(wanted);
+    link_.cue.also_for_second(wanted);
     link_.camera_pictures.also_for_second(wanted);
     link_.look_pictures.also_for_second(wanted);
     if (wanted) return;

@@ -57,6 +57,7 @@ void ServerLoop::read_news() {
         looks_text_.reset();
         ++looks_version_;
     }
+    if (const auto news = link_.cue.take_second()) cue_label_.call(*news, now_s());
     if (auto news = link_.camera_pictures.take_second()) take_small(SmallKind::camera, *news);
     if (auto news = link_.look_pictures.take_second()) take_small(SmallKind::look, *news);
     if (auto news = link_.side_pictures.take())
@@ -245,7 +246,10 @@ const Packed& ServerLoop::state() {
     what.picture = picture_ ? &*picture_ : nullptr;
     what.rig = rig_ ? &*rig_ : nullptr;
     what.network = network_ ? &*network_ : nullptr;
-    what.show = opened_ ? opened_->show.get() : nullptr;
+    if (opened_ && rig_) {
+        const bool plays = !rig_->from_desk && rig_->recording_s > 0;
+        what.cue = cue_label_.name(*opened_->show, plays ? std::optional(rig_->at_s) : std::nullopt, now);
+    }
     what.problems = problems_;
     for (Guest& guest : guests_) {
         if (!guest.viewer) continue;

@@ -81,7 +81,8 @@ TEST(Plan, of_cues_goes_on_where_they_say_nothing) {
     EXPECT_EQ(plan->entries[2].entry.fade_s, 3.0f);
     EXPECT_EQ(plan->entries[3].look, 0u); // what hands set stays
     EXPECT_EQ(plan->entries[3].camera, "close");
-    EXPECT_FALSE(plan->entries[4].look);
+    EXPECT_EQ(plan->entries[4].look, 0u) << "as in the window, where such a cue recalls nothing";
+    EXPECT_TRUE(plan->entries[4].is_other);
     EXPECT_EQ(plan->entries[4].entry.unknown.at(0), "the show has no look 'Red'");
 }
 
@@ -434,6 +435,24 @@ TEST(Marks, that_may_be_decimals_with_commas_say_so) {
     EXPECT_EQ(warnings("83,5,Solo\n91,2,Verse\n"), 0u);
     EXPECT_EQ(warnings("83,5;\n91,2;\n"), 0u);
     EXPECT_EQ(warnings("time,number\n83,1\n91,2\n"), 0u);
+}
+
+TEST(Marks, of_spreadsheets_are_read_or_told_what_they_are) {
+    Report report;
+    const std::vector<Mark> told = read_marks("sep=;\nZeit;Nummer\n20,5;1;A\n", "cues.csv", 0, report);
+    ASSERT_EQ(told.size(), 1u);
+    EXPECT_DOUBLE_EQ(told[0].at_s, 20.5);
+    EXPECT_TRUE(report.messages.empty());
+    EXPECT_TRUE(read_marks(std::string_view("\xff\xfe"
+                                            "2\0000\0",
+                                            6),
+                           "cues.csv", 0, report)
+                    .empty());
+    ASSERT_EQ(report.messages.size(), 1u);
+    EXPECT_NE(report.messages[0].what.find("UTF-16"), std::string::npos);
+    read_marks("\"20,5\",1,A\n", "cues.csv", 0, report);
+    ASSERT_EQ(report.messages.size(), 2u);
+    EXPECT_NE(report.messages[1].what.find("';' parts the cells"), std::string::npos);
 }
 
 TEST(Marks, have_no_separator_from_their_words) {

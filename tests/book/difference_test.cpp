@@ -47,13 +47,18 @@ TEST(Difference, of_a_fixture_that_hangs_otherwise_is_its_turn) {
             "whether a fixture hangs otherwise is not known: the older book does not say how they hang"}));
 }
 
-TEST(Difference, of_books_with_other_cameras_says_that_they_may_round_otherwise) {
+TEST(Difference, of_books_drawn_in_another_order_says_that_they_may_round_otherwise) {
     Book old = book({"a"}), now = book({"a"});
     old.entries[0].pictures = {{"house", "pictures/0001-1.png"}, {"close", "pictures/0001-2.png"}};
     now.entries[0].pictures = {{"house", "pictures/0001-1.png"}};
     ASSERT_EQ(difference_of(old, now).unknown.size(), 1u);
-    EXPECT_NE(difference_of(old, now).unknown[0].find("other cameras"), std::string::npos);
+    EXPECT_NE(difference_of(old, now).unknown[0].find("another order"), std::string::npos);
     EXPECT_TRUE(difference_of(now, now).unknown.empty());
+    EXPECT_TRUE(difference_of(book({"a", "b"}), book({"a", "new", "b"})).unknown.empty());
+    EXPECT_FALSE(difference_of(book({"a", "b"}), book({"b", "a"})).unknown.empty());
+    old = now;
+    old.is_for_client = true;
+    EXPECT_FALSE(difference_of(old, now).unknown.empty());
 }
 
 TEST(Difference, names_entries_that_are_new_gone_and_moved) {

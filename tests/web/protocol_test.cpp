@@ -242,7 +242,7 @@ TEST(Protocol, a_show_in_names_and_a_state_in_figures) {
     rig.at_s = 5.5;
     StateNow now;
     now.rig = &rig;
-    now.show = show.get();
+    now.cue = "Second";
     now.lookers.push_back({"10.0.0.7", 3, 25, 1280});
     nlohmann::json state = read(state_text(now));
     EXPECT_EQ(state["source"], "recording");
@@ -250,10 +250,13 @@ TEST(Protocol, a_show_in_names_and_a_state_in_figures) {
     EXPECT_EQ(state["shining"], 1);
     EXPECT_EQ(state["viewers"][0]["from"], "10.0.0.7");
     EXPECT_FALSE(state.contains("desk"));
-    rig.at_s = 4;
-    EXPECT_EQ(read(state_text(now))["cue"], "First");
+    now.cue.clear();
+    EXPECT_FALSE(read(state_text(now)).contains("cue"));
     rig.from_desk = true;
-    EXPECT_FALSE(read(state_text(now)).contains("cue")) << "the desk has cues of its own";
+    EXPECT_EQ(read(state_text(now))["source"], "none") << "nothing is listened to";
+    const dmx::Statistics network;
+    now.network = &network;
+    EXPECT_EQ(read(state_text(now))["source"], "desk");
 }
 
 TEST(Protocol, of_many_messages_the_newest_are_told) {

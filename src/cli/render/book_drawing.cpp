@@ -266,11 +266,15 @@ void BookDrawing::say_what_was_lost(std::vector<std::string>& unknown) const {
     constexpr std::size_t kMostSaid = 20;
     const std::string folder = session_->show->file.parent_path().string() + "/";
     std::size_t lost = 0;
+    const std::string looks = scene::looks_file(*session_->show).string();
     for (const Message& message : session_->report.messages) {
-        if (message.severity != Severity::error || ++lost > kMostSaid) continue;
+        // A look's warnings name lamps that it leaves as they are.
+        const bool is_of_look = message.severity == Severity::warning && message.where.starts_with(looks);
+        if ((message.severity != Severity::error && !is_of_look) || ++lost > kMostSaid) continue;
         const std::string where =
             message.where.starts_with(folder) ? message.where.substr(folder.size()) : message.where;
-        unknown.push_back(options_.style("could not be read: %1", {where + ": " + message.what}));
+        const std::string said = where + ": " + message.what;
+        unknown.push_back(is_of_look ? said : options_.style("could not be read: %1", {said}));
     }
     if (lost > kMostSaid)
         unknown.push_back(options_.style("%1 more could not be read, which the terminal names",

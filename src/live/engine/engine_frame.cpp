@@ -34,6 +34,7 @@ bool same_lit(const scene::FrameLights& a, const scene::FrameLights& b) {
 } // namespace
 
 bool Engine::hear_remote(double now_s) {
+    if (const auto cue = link_.cue.take()) controls_.be_in(*cue);
     for (const ui::Command& command : link_.commands.take()) {
         const Result<void> done = controls_.command(command);
         (void)link_.command_answers.put({command.number, done.ok() ? "" : done.error().what});
@@ -47,6 +48,11 @@ bool Engine::hear_remote(double now_s) {
     }
     if (news.look) {
         link_.look_call.put({asked.look.name, asked.look.seconds});
+        link_.on_news();
+    }
+    if (news.cue) {
+        link_.cue_call.put(asked.cue);
+        link_.cue.put(asked.cue);
         link_.on_news();
     }
     if (news.jump) input_->jump(asked.at_s);

@@ -69,7 +69,8 @@ RemoteNews LiveControls::take(const RemoteRequest& request, Session& session) {
     return {.camera = request.calls != before.calls,
             .jump = request.jumps != before.jumps,
             .haze = request.haze != before.haze,
-            .look = request.recalls != before.recalls};
+            .look = request.recalls != before.recalls,
+            .cue = request.cues != before.cues};
 }
 
 } // namespace ghost::app

@@ -29,6 +29,7 @@ struct RemoteNews {
     bool jump = false;
     bool haze = false; // a live picture has it from the next look_from on
     bool look = false; // the same one, perhaps
+    bool cue = false;  // likewise
 };
 
 class LiveControls {
@@ -44,6 +45,8 @@ public:
 
     // Another session: what follows starts anew; faders stay where they are.
     void begin(Session& session);
+    // The cue that was called last, by whoever keeps their list; "": none.
+    void be_in(const std::string& cue) { remote_.be_in(cue); }
     // Its show has other cameras or cues.
     void know(Session& session);
 

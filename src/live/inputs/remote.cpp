@@ -93,6 +93,12 @@ Result<void> Remote::call_cue(const Asked& asked, int steps) {
                      asked.where};
     cue_ = index;
     const scene::Cue& cue = cues_[index];
+    request_.cue = cue.name;
+    ++request_.cues;
+    if (!cue.look.empty()) {
+        request_.look = {cue.look, cue.fade_s ? static_cast<double>(*cue.fade_s) : -1};
+        ++request_.recalls;
+    }
     if (cue.at_s) {
         request_.at_s = *cue.at_s;
         ++request_.jumps;
@@ -102,6 +108,15 @@ Result<void> Remote::call_cue(const Asked& asked, int steps) {
     request_.camera = RemoteCamera{static_cast<std::size_t>(camera - cameras_.begin()), cue.flight_s};
     ++request_.calls;
     return {};
+}
+
+void Remote::be_in(const std::string& cue) {
+    const auto found =
+        std::find_if(cues_.begin(), cues_.end(), [&](const scene::Cue& one) { return one.name == cue; });
+    if (found == cues_.end())
+        cue_.reset();
+    else
+        cue_ = static_cast<std::size_t>(found - cues_.begin());
 }
 
 // By name; then seconds of the fade there.

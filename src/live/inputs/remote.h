@@ -41,6 +41,8 @@ struct RemoteRequest {
     std::size_t jumps = 0;              // to such places
     RemoteLook look;         // the last one asked for; whoever keeps the looks knows whether it is one
     std::size_t recalls = 0; // of looks
+    std::string cue;         // the last one asked for
+    std::size_t cues = 0;    // asked for
 
     float light() const { return blackout ? 0.0f : master; }
 };
@@ -57,6 +59,8 @@ public:
     Result<void> apply(std::string_view what, const std::vector<dmx::OscArgument>& arguments,
                        const std::string& where);
     const RemoteRequest& request() const { return request_; }
+    // The cue that the show is in, whoever called it: "go" is the one behind it. "": none.
+    void be_in(const std::string& cue);
     // Another show's; the request stays.
     void know(std::vector<std::string> cameras, std::vector<scene::Cue> cues) {
         cameras_ = std::move(cameras);

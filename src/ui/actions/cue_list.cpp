@@ -32,8 +32,13 @@ CueList::CueList(AppModel& app, ShowDocument& document, Looks& looks)
         if (!app_.opened().is_edit || (current_ && *current_ >= all().size())) {
             current_.reset();
             follow_.stop();
+            app_.publish_cue("");
         }
         Q_EMIT changed();
+    });
+    connect(&app_, &AppModel::cue_called, this, [this](const QString& name) {
+        const auto cue = std::ranges::find(all(), name.toStdString(), &scene::Cue::name);
+        if (cue != all().end()) be_in(static_cast<std::size_t>(cue - all().begin()));
     });
     connect(&app_, &AppModel::rig_came, this, &CueList::look_at_recording);
 }
@@ -81,13 +86,18 @@ Result<void> CueList::call(std::size_t index, Place place) {
             ++request.transport.seeks;
             request.transport.at_s = *cue.at_s;
         });
+    be_in(index);
+    app_.publish_cue(cue.name);
+    return {};
+}
+
+void CueList::be_in(std::size_t index) {
     current_ = index;
     follow_.stop();
-    if (cue.follow_s && index + 1 < all().size())
-        follow_.start(
-            static_cast<int>(1000 * std::min(static_cast<double>(*cue.follow_s), kLongestFollow_s)));
+    const std::optional<float>& follow_s = all()[index].follow_s;
+    if (follow_s && index + 1 < all().size())
+        follow_.start(static_cast<int>(1000 * std::min(static_cast<double>(*follow_s), kLongestFollow_s)));
     Q_EMIT changed();
-    return {};
 }
 
 void CueList::set_follows_recording(bool follows) {

@@ -45,6 +45,7 @@ Q_SIGNALS:
 private:
     enum class Place { goes_there, stays };
     Result<void> call(std::size_t index, Place place);
+    void be_in(std::size_t index);
     void look_at_recording();
     Result<void> edit(const QString& what, const Result<std::string>& text);
 

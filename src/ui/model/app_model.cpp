@@ -130,6 +130,7 @@ void AppModel::read_news() {
     }
     if (const auto news = link_.look_call.take())
         Q_EMIT look_called(QString::fromStdString(news->name), news->seconds);
+    if (const auto news = link_.cue_call.take()) Q_EMIT cue_called(QString::fromStdString(*news));
     if (auto news = link_.camera_pictures.take()) {
         camera_pictures_ = std::move(*news);
         Q_EMIT camera_pictures_came();
@@ -163,6 +164,11 @@ void AppModel::read_news() {
 
 void AppModel::publish_looks(LooksNow looks) {
     link_.looks.put(std::move(looks));
+    link_.on_news();
+}
+
+void AppModel::publish_cue(const std::string& name) {
+    link_.cue.put(name);
     link_.on_news();
 }
 

@@ -76,6 +76,7 @@ public:
     void cut_to(const scene::Camera& stored);
     // To browsers, and to the engine, which draws small pictures of them.
     void publish_looks(LooksNow looks);
+    void publish_cue(const std::string& name); // that was called last; "": none
     // Pixels of the picture.
     void set_size(int width, int height);
     // Of a second window, empty: there is none. The picture is drawn for the larger of the two.
@@ -161,6 +162,7 @@ Q_SIGNALS:
     void plot_came();
     void camera_pictures_came();
     void look_called(const QString& name, double seconds); // by a remote control; below 0: those of the look
+    void cue_called(const QString& name);                  // likewise; what it recalls is called, too
     void request_changed();
     void look_changed();
     void selection_changed();

@@ -17,6 +17,8 @@
 #include <QTimer>
 #include <QWidget>
 
+class QVBoxLayout;
+
 namespace ghost::ui {
 
 // "browsers 0.0.0.0:8010", "browsers-control on" and so on: what the panel's buttons do.
@@ -47,7 +49,7 @@ protected:
     void hideEvent(QHideEvent*) override;
 
 private:
-    void add_place(class QVBoxLayout& layout);
+    void add_place(QVBoxLayout& layout);
     void add_way_in(QVBoxLayout& layout);
     void add_who(QVBoxLayout& layout);
     void choose_place();

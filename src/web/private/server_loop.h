@@ -10,6 +10,7 @@
 #include "net/tcp.h"
 #include "web/private/book_shelf.h"
 #include "web/private/connection.h"
+#include "web/private/cue_label.h"
 #include "web/private/own_folders.h"
 #include "web/private/picture_packer.h"
 #include "web/private/viewer.h"
@@ -124,6 +125,7 @@ private:
     std::vector<Message> said_;
     std::uint64_t show_version_ = 0, messages_version_ = 0, levels_version_ = 0, looks_version_ = 0;
     ui::LooksNow looks_;
+    CueLabel cue_label_;
 
     struct Small {
         SmallKind kind = SmallKind::camera;

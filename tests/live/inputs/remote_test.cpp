@@ -105,6 +105,29 @@ TEST(Remote, cues_by_name_by_number_and_one_after_another) {
     EXPECT_FALSE(Remote({"house"}).apply(message("/ghostlight/cue/go")).ok());
 }
 
+TEST(Remote, a_cue_recalls_its_look_and_goes_on_from_wherever_the_show_is) {
+    Remote remote({}, {{.name = "One", .look = "Verse"},
+                       {.name = "Two", .look = "Dark", .fade_s = 2.5f},
+                       {.name = "End", .at_s = 9}});
+    EXPECT_TRUE(remote.apply(message("/ghostlight/cue/go")).ok());
+    EXPECT_EQ(remote.request().look.name, "Verse");
+    EXPECT_LT(remote.request().look.seconds, 0) << "those of the look";
+    EXPECT_EQ(remote.request().cue, "One");
+    EXPECT_TRUE(remote.apply(message("/ghostlight/cue/go")).ok());
+    EXPECT_EQ(remote.request().look.name, "Dark");
+    EXPECT_DOUBLE_EQ(remote.request().look.seconds, 2.5);
+    EXPECT_EQ(remote.request().recalls, 2u);
+    EXPECT_TRUE(remote.apply(message("/ghostlight/cue/go")).ok());
+    EXPECT_EQ(remote.request().recalls, 2u) << "a cue without a look";
+    EXPECT_EQ(remote.request().cues, 3u);
+    remote.be_in("One"); // by the window
+    EXPECT_TRUE(remote.apply(message("/ghostlight/cue/go")).ok());
+    EXPECT_EQ(remote.request().cue, "Two");
+    remote.be_in("");
+    EXPECT_TRUE(remote.apply(message("/ghostlight/cue/go")).ok());
+    EXPECT_EQ(remote.request().cue, "One");
+}
+
 TEST(Remote, a_look_by_name_and_seconds) {
     Remote remote({"house"});
     EXPECT_TRUE(remote.apply(message("/ghostlight/look", {std::string("Verse")})).ok());
