@@ -176,7 +176,9 @@ PaperTable patch_of(const Show& show, const PrintStyle& style) {
 PaperTable universes_of(const Show& show, const PrintStyle& style) {
     PaperTable table{"universes", style("Universes"), {}, {}, {}};
     table.columns = {{style("universe"), true}, {style("fixtures"), true},    {style("channels used"), true},
-                     {style("free"), true},     {style("largest gap"), true}, {style("last used"), true}};
+                     {style("free"), true},     {style("largest gap"), true}, {style("last used"), true},
+                     {style("counted")}};
+    const bool is_addressless = !addressless_of(show).empty();
     for (const auto& [universe, segments] : segments_of(show, style)) {
         int free = 0, largest = 0, last = 0;
         for (const Gap& gap : gaps_of(segments)) {
@@ -188,13 +190,16 @@ PaperTable universes_of(const Show& show, const PrintStyle& style) {
             last = std::max(last, segment.to);
             if (segment.fixture) fixtures.insert(segment.fixture);
         }
-        if (std::any_of(segments.begin(), segments.end(), [](const Segment& one) { return !one.is_whole; }))
+        const bool is_open =
+            std::any_of(segments.begin(), segments.end(), [](const Segment& one) { return !one.is_whole; });
+        if (is_open)
             table.unknown.push_back(
                 style("Universe %1: less may be free, for a fixture's channels are not known.",
                       {std::to_string(universe)}));
         table.rows.push_back(
             {{std::to_string(universe), std::to_string(fixtures.size()), std::to_string(kSlots - free),
-              std::to_string(free), std::to_string(largest), std::to_string(last)}});
+              std::to_string(free), std::to_string(largest), std::to_string(last),
+              is_open || is_addressless ? style("free at most") : style("whole")}});
     }
     say_anywhere(table, addressless_of(show), style);
     return table;

@@ -58,6 +58,8 @@ inline constexpr Translation kWords[] = {
     {"free", "frei"},
     {"free at most", "höchstens frei"},
     {"largest gap", "größte Lücke"},
+    {"counted", "gezählt"},
+    {"whole", "ganz"},
     {"last used", "letzter belegt"},
     {"wheel", "Rad"},
     {"kind", "Art"},

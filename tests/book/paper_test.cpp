@@ -71,6 +71,7 @@ TEST(Patch, has_what_is_free_between) {
     EXPECT_EQ(column(universes, "universe"), (Cells{"1", "3"}));
     EXPECT_EQ(column(universes, "free"), (Cells{"506", "509"}));
     EXPECT_EQ(column(universes, "largest gap"), (Cells{"503", "509"}));
+    EXPECT_EQ(column(universes, "counted"), (Cells{"whole", "whole"}));
 }
 
 TEST(Patch, says_what_is_shared_runs_on_or_is_not_known) {
@@ -88,6 +89,8 @@ TEST(Patch, says_what_is_shared_runs_on_or_is_not_known) {
     EXPECT_EQ(remarks[8], "how many channels is not known");
     EXPECT_EQ(column(patch, "to")[8], "");
     EXPECT_EQ(patch.unknown, (Cells{"Not patched: e."}));
+    EXPECT_EQ(column(table(paper_of(show), "universes"), "counted"),
+              (Cells{"whole", "whole", "free at most"}));
 }
 
 TEST(Patch, has_the_channels_of_machines_and_of_what_chooses_media) {
