@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdio>
 #include <exception>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
 namespace ghost::app {
@@ -41,6 +42,11 @@ std::span<const BenchTable> tables() {
 
 Result<void> run_table(Result<void> (*run)(const BenchOptions&, const BenchSink&),
                        const BenchOptions& options, const BenchSink& sink) {
+    if (!options.pictures.empty()) {
+        std::error_code code;
+        std::filesystem::create_directories(options.pictures, code);
+        if (code) return Error{"cannot be made: " + code.message(), options.pictures};
+    }
     try {
         return run(options, sink);
     } catch (const std::exception& failure) {

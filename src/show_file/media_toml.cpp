@@ -129,7 +129,7 @@ void read_media(TableReader& top, const std::string& file, Show& show, Report& r
         if ((path ? 1 : 0) + (camera ? 1 : 0) + (card ? 1 : 0) > 1)
             reader.problem(Severity::warning, "file",
                            "file, camera and card say different things, expected one of them");
-        media.loop = reader.boolean("loop").value_or(true);
+        if (const auto loop = reader.boolean("loop")) media.loop = *loop;
         media.start_s = reader.number("start_s", 0, 1e6).value_or(0.0);
         reader.finish();
         show.media.push_back(std::move(media));

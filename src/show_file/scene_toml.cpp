@@ -159,7 +159,7 @@ void read_attenuation(const toml::table& table, const std::string& file, Attenua
 
 void read_shadows(const toml::table& table, const std::string& file, Show& show, Report& report) {
     TableReader reader(table, "[shadows]", file, report);
-    show.shadows = reader.boolean("on").value_or(show.shadows);
+    if (const auto on = reader.boolean("on")) show.shadows = *on;
     show.distance_map_size =
         reader.integer("map_size", kMinDistanceMapSize, kMaxDistanceMapSize).value_or(show.distance_map_size);
     // Maps are halved where memory is short.

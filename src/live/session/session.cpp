@@ -258,9 +258,12 @@ bool Session::prepare(const scene::Camera& from, const std::function<bool()>& st
     return live->prepare(from, stop);
 }
 
-void Session::look_from(const scene::Camera& from, bool goes_on, std::optional<bool> coarse) {
+void Session::look_from(const scene::Camera& from, bool goes_on) {
+    look_from(from, goes_on, relighter && relighter->is_coarse());
+}
+
+void Session::look_from(const scene::Camera& from, bool goes_on, bool coarse) {
     flies = goes_on;
-    const bool is_coarse = coarse.value_or(relighter && relighter->is_coarse());
     const bool stays = has_size(relighter, from);
     bool keeps = options.parks;
     if (!stays) {
@@ -279,7 +282,7 @@ void Session::look_from(const scene::Camera& from, bool goes_on, std::optional<b
     const bool has_other_maps = !stays && std::exchange(maps_changed_since_parked, false);
     live->set_atmosphere(atmosphere());
     const bool is_anew = live->look_from(from, keeps, flies) == LiveView::Seen::anew || has_other_maps;
-    if (!relighter) relighter = make_relighter(from, is_coarse);
+    if (!relighter) relighter = make_relighter(from, coarse);
     for (const auto& one : {relighter.get(), other_light.get()}) {
         if (!one) continue;
         if (is_anew)
@@ -289,7 +292,7 @@ void Session::look_from(const scene::Camera& from, bool goes_on, std::optional<b
         one->set_flies(flies);
         if (!stays) one->set_room_light(bounced.get());
     }
-    use_coarse_light(is_coarse);
+    use_coarse_light(coarse);
     relighter->set_tone(options.tone);
     relighter->set_exposure(options.ev100.value_or(from.ev100), from.auto_exposure && !options.ev100);
 }

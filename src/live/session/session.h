@@ -114,8 +114,9 @@ struct Session {
     // another size gets another picture; stage and distance maps stay on the device. SessionOptions::parks:
     // the picture before is kept, where there is memory, and taken up again when its size is asked for.
     // goes_on: soon it looks from elsewhere, so nothing that is seen from there is kept, and the stage has
-    // less detail. coarse: use_coarse_light, too; nothing: as it is.
-    void look_from(const scene::Camera& from, bool goes_on = false, std::optional<bool> coarse = {});
+    // less detail. coarse: use_coarse_light, too; else it stays as it is.
+    void look_from(const scene::Camera& from, bool goes_on = false);
+    void look_from(const scene::Camera& from, bool goes_on, bool coarse);
     // Before a look_from that does not go on, where the picture before is parked: does what takes long, for
     // as long as stop is false. False: it was stopped; what is shown stays, and the next one goes on from
     // there.
