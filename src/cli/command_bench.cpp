@@ -38,8 +38,8 @@ int run_bench(const BenchArguments& arguments) {
         if (interrupted()) break;
         if (!arguments.table.empty() && arguments.table != table.name) continue;
         if (!arguments.json) print_text("\n%s: %s\n", table.name, table.title);
-        const Result<void> done =
-            table.run(arguments.options, [&](const BenchRow& row) { print_row(row, arguments.json); });
+        const Result<void> done = run_table(table.run, arguments.options,
+                                            [&](const BenchRow& row) { print_row(row, arguments.json); });
         if (done.ok()) continue;
         log_error(std::string(table.name) + ": " + done.error().text());
         exit_code = 1;
