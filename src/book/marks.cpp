@@ -161,6 +161,7 @@ bool may_be_decimals(const std::vector<CsvRow>& rows) {
     for (const CsvRow& row : rows) {
         const bool is_empty = row.cells.size() == 1 && trimmed(row.cells[0]).empty();
         if (is_empty || row.cells[0].starts_with('#')) continue;
+        if (row.cells.size() == 1 && are_digits(row.cells[0])) continue; // 30 stands for 30,0
         if (row.cells.size() != 2 || !are_digits(row.cells[0]) || !are_digits(row.cells[1])) {
             if (row.line == 1) continue; // a heading
             return false;

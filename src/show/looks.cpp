@@ -8,7 +8,6 @@
 #include "json_xml_toml/toml_problem.h"
 #include "json_xml_toml/toml_reader.h"
 #include "json_xml_toml/toml_text.h"
-#include "show/names.h"
 #include "show/show.h"
 
 #include <algorithm>
@@ -135,14 +134,6 @@ public:
     std::string text;
 };
 
-// Entries by what show.toml makes of their fixtures' names, where these cannot name a file.
-std::map<std::string, std::string> renamed_in(const StoredLook& look) {
-    std::map<std::string, std::string> renamed;
-    for (const auto& [name, programmer] : look.fixtures)
-        if (!is_good_name(name)) renamed.emplace(good_name(name), name);
-    return renamed;
-}
-
 // Levels are of one mode; those of another one would mean something else.
 bool fits(const fixture::Programmer& programmer, const PatchedFixture& fixture) {
     return programmer.levels.empty() ||
@@ -252,13 +243,11 @@ Result<std::size_t> find_look(const std::vector<StoredLook>& looks, const std::s
 }
 
 std::map<std::size_t, fixture::Programmer> programmer_of(const StoredLook& look, const Show& show) {
-    const auto renamed = renamed_in(look);
     std::map<std::size_t, fixture::Programmer> programmer;
     for (std::size_t i = 0; i < show.fixtures.size(); ++i) {
         auto found = look.fixtures.find(show.fixtures[i].name);
-        if (found == look.fixtures.end())
-            if (const auto as_file = renamed.find(show.fixtures[i].name); as_file != renamed.end())
-                found = look.fixtures.find(as_file->second);
+        if (found == look.fixtures.end() && !show.fixtures[i].written_name.empty())
+            found = look.fixtures.find(show.fixtures[i].written_name);
         if (found == look.fixtures.end()) continue;
         fixture::Programmer one = found->second;
         if (!fits(one, show.fixtures[i])) one.levels.clear();
@@ -280,7 +269,7 @@ void check_look(const StoredLook& look, const Show& show, const std::string& fil
     std::vector<std::string> missing;
     for (const auto& [name, programmer] : look.fixtures)
         if (std::ranges::none_of(show.fixtures, [&](const PatchedFixture& fixture) {
-                return fixture.name == name || fixture.name == good_name(name);
+                return fixture.name == name || (!name.empty() && fixture.written_name == name);
             }))
             missing.push_back(name);
     if (!missing.empty())

@@ -13,7 +13,7 @@ inline constexpr std::size_t kMostNameBytes = 100;
 // 1 to kMostNameBytes bytes, no leading dot, none of /\:*?"<>|.
 bool is_good_name(std::string_view name);
 // The nearest such name: '-' for each letter that it may not have, whole letters up to kMostNameBytes. Empty:
-// there is none. What a show calls by its name is called like that wherever its files name it.
+// there is none.
 std::string good_name(std::string_view name);
 
 } // namespace ghost::scene

@@ -97,6 +97,7 @@ inline constexpr std::size_t kMaxShowBytes = std::size_t{16} << 20; // of show.t
 
 struct PatchedFixture {
     std::string name;
+    std::string written_name;   // in show.toml, where that cannot name a file; else empty
     std::filesystem::path gdtf; // as written
     std::shared_ptr<const fixture::Type>
         type;     // null where the file could not be read: the fixture stays dark

@@ -13,6 +13,8 @@
 #include <algorithm>
 #include <bit>
 #include <map>
+#include <set>
+#include <span>
 #include <utility>
 
 namespace ghost::scene {
@@ -31,14 +33,27 @@ void put_value(Target& target, const std::optional<Value>& value) {
     if (value) target = static_cast<Target>(*value);
 }
 
-// The entry's name, made usable and unique.
+// Those that are as written.
+std::set<std::string> good_names_of(std::span<const toml::table* const> tables) {
+    std::set<std::string> names;
+    for (const toml::table* table : tables)
+        if (const auto text = (*table)["name"].value<std::string>(); text && is_good_name(*text))
+            names.insert(*text);
+    return names;
+}
+
+// The entry's name, made usable and unique. as_written: of all entries; these keep theirs.
 std::string name_of(TableReader& reader, const std::string& kind, std::size_t number,
-                    std::map<std::string, int>& line_of_name) {
+                    std::map<std::string, int>& line_of_name, const std::set<std::string>& as_written) {
     std::string name = kind + " " + std::to_string(number);
     if (const auto text = reader.text("name")) {
+        const bool is_good = is_good_name(*text);
         const std::string near = good_name(*text);
         if (!near.empty()) name = near;
-        if (!is_good_name(*text))
+        const std::string alone = name;
+        for (int copy = 2; !is_good && (line_of_name.count(name) || as_written.count(name)); ++copy)
+            name = alone + " (" + std::to_string(copy) + ")";
+        if (!is_good)
             reader.problem(Severity::warning, "name",
                            "'" + text->substr(0, 40) +
                                "' cannot name a file (1 to 100 bytes, no leading dot, none of "
@@ -275,20 +290,27 @@ void read_sections(const toml::table& root, const std::string& file, ParsedShow&
                    "of its own is a "
                    "[[fixture]] with wall = { ... }");
     std::map<std::string, int> cameras;
-    for (const toml::table* table : top.tables("camera", kMaxCameras)) {
+    const std::vector<const toml::table*> camera_tables = top.tables("camera", kMaxCameras);
+    const std::set<std::string> good_cameras = good_names_of(camera_tables);
+    for (const toml::table* table : camera_tables) {
         TableReader reader(*table, "[[camera]]", file, report);
-        const std::string name = name_of(reader, "Camera", show.cameras.size() + 1, cameras);
+        const std::string name = name_of(reader, "Camera", show.cameras.size() + 1, cameras, good_cameras);
         show.cameras.push_back(read_camera(reader, show.folder));
         show.cameras.back().name = name;
         parsed.passes_lines.push_back(reader.line_of("foreign_passes"));
         reader.finish();
     }
     std::map<std::string, int> fixtures;
-    for (const toml::table* table : top.tables("fixture", kMaxFixtures)) {
+    const std::vector<const toml::table*> fixture_tables = top.tables("fixture", kMaxFixtures);
+    const std::set<std::string> good_fixtures = good_names_of(fixture_tables);
+    for (const toml::table* table : fixture_tables) {
         TableReader reader(*table, "[[fixture]]", file, report);
-        const std::string name = name_of(reader, "Fixture", show.fixtures.size() + 1, fixtures);
+        const std::string name =
+            name_of(reader, "Fixture", show.fixtures.size() + 1, fixtures, good_fixtures);
         parsed.sources.emplace_back();
         show.fixtures.push_back(read_fixture(reader, name, file, parsed.sources.back(), show, report));
+        if (const auto text = (*table)["name"].value<std::string>(); text && !is_good_name(*text))
+            show.fixtures.back().written_name = *text;
         reader.finish();
     }
     for (const toml::table* table : top.tables("change", kMaxChanges)) {

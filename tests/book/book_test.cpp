@@ -431,6 +431,8 @@ TEST(Marks, that_may_be_decimals_with_commas_say_so) {
     EXPECT_EQ(warnings("83,5\n91,2\n"), 1u);
     EXPECT_EQ(warnings("Zeit\n83,50\n91,25\n95,00\n"), 1u);
     EXPECT_EQ(warnings("83,5\n"), 1u);
+    EXPECT_EQ(warnings("10,5\n20,25\n30\n41,75\n50,5\n"), 1u);
+    EXPECT_EQ(warnings("10\n20\n"), 0u);
     EXPECT_EQ(warnings("0,1\n12,2\n25,10\n"), 0u) << "numbers that count on";
     EXPECT_EQ(warnings("83,5,Solo\n91,2,Verse\n"), 0u);
     EXPECT_EQ(warnings("83,5;\n91,2;\n"), 0u);

@@ -42,19 +42,25 @@ StoredLook verse() {
 TEST(Looks, of_a_fixture_whose_name_names_no_file_are_those_of_the_one_it_was_given) {
     Show show;
     show.fixtures.resize(3);
-    show.fixtures[0].name = "Bar 1-2"; // written as "Bar 1/2"
-    show.fixtures[1].name = "Bar 3";
+    show.fixtures[0].name = "Bar 1-2 (2)";
+    show.fixtures[0].written_name = "Bar 1/2";
+    show.fixtures[1].name = "Bar 1-2";
     show.fixtures[2].name = "Truss A/B"; // of a plot, which keeps its names
     StoredLook look;
     look.fixtures["Bar 1/2"].intensity = 0.9f;
+    look.fixtures["Bar 1-2"].intensity = 0.1f;
     look.fixtures["Truss A/B"].intensity = 0.5f;
     const auto programmer = programmer_of(look, show);
-    ASSERT_EQ(programmer.size(), 2u);
+    ASSERT_EQ(programmer.size(), 3u);
     EXPECT_EQ(programmer.at(0).intensity, 0.9f);
+    EXPECT_EQ(programmer.at(1).intensity, 0.1f);
     EXPECT_EQ(programmer.at(2).intensity, 0.5f);
     Report report;
     check_look(look, show, "looks.toml", report);
     EXPECT_TRUE(report.messages.empty());
+    look.fixtures["Bar 1?2"].intensity = 1.0f;
+    check_look(look, show, "looks.toml", report);
+    EXPECT_EQ(report.messages.size(), 1u) << "nobody is called so";
     EXPECT_EQ(good_name("../x"), "-.-x");
     EXPECT_EQ(good_name(std::string(99, 'x') + "\xc3\xa4"), std::string(99, 'x')) << "whole letters";
     EXPECT_EQ(good_name(""), "");

@@ -250,6 +250,23 @@ const Wrong kWrong[] = {
 INSTANTIATE_TEST_SUITE_P(All, ShowTomlWrong, testing::ValuesIn(kWrong),
                          [](const auto& wrong) { return std::string(wrong.param.title); });
 
+TEST(ShowToml, NamesThatNameNoFileLeaveTheOthersAlone) {
+    Report report;
+    const auto parsed = parse_show(kHead + fixture("Bar 1/2", 1) + fixture("Bar 1-2", 30) +
+                                       fixture("Bar 1:2", 60) + fixture("Bar 3", 90),
+                                   "s.toml", report);
+    ASSERT_TRUE(parsed.ok());
+    const auto& fixtures = parsed->show.fixtures;
+    ASSERT_EQ(fixtures.size(), 4u);
+    EXPECT_EQ(fixtures[0].name, "Bar 1-2 (2)");
+    EXPECT_EQ(fixtures[0].written_name, "Bar 1/2");
+    EXPECT_EQ(fixtures[1].name, "Bar 1-2");
+    EXPECT_EQ(fixtures[1].written_name, "");
+    EXPECT_EQ(fixtures[2].name, "Bar 1-2 (3)");
+    EXPECT_EQ(fixtures[2].written_name, "Bar 1:2");
+    EXPECT_EQ(fixtures[3].written_name, "");
+}
+
 TEST(ShowToml, WhatCannotBeShownIsAnError) {
     Report report;
     const auto broken = parse_show("[show]\nname = \"x\nstage = 1\n", "s.toml", report);

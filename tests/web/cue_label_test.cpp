@@ -49,6 +49,13 @@ TEST(CueLabel, is_the_one_that_was_called_until_the_recording_comes_by_another) 
     EXPECT_EQ(label.name(show, std::nullopt, 60), "Close");
     label.call("Gone", 70);
     EXPECT_EQ(label.name(show, 50, 80), "Solo") << "no cue of this show";
+    label.call("Solo", 90);
+    EXPECT_EQ(label.name(show, 41, 92), "Solo");
+    EXPECT_EQ(label.name(show, 21, 99), "Verse") << "somebody sent the recording back";
+    EXPECT_EQ(label.name(show, 45, 120), "Solo");
+    label.call("Verse", 130);
+    EXPECT_EQ(label.name(show, 22, 132), "Verse");
+    EXPECT_EQ(label.name(show, 2, 140), "") << "it began anew";
 }
 
 } // namespace

@@ -58,6 +58,47 @@ TEST(LightBudget, WhatOnlyFadesIsShownAtOnce) {
     EXPECT_FALSE(budget.is_short());
 }
 
+TEST(LightBudget, WhatChangesMostComesFirstAndWhatRestsTakesNoTurn) {
+    LightBudget budget;
+    std::vector<shared::Light> lights = turned(64, 0); // eight a branch
+    (void)budget.choose(lights, 2);
+    // Of three branches that turn the second is bright; the others rest.
+    for (std::size_t i = 0; i < 24; ++i) lights[i].axis_w.x = 1;
+    for (std::size_t i = 8; i < 16; ++i) lights[i].intensity_cd = glm::vec3(500);
+    const std::vector<shared::Light>& shown = budget.choose(lights, 2);
+    EXPECT_TRUE(budget.is_short());
+    EXPECT_EQ(shown[8].axis_w.x, 1);
+    EXPECT_EQ(shown[0].axis_w.x, 0) << "one of three is more than a quarter";
+    EXPECT_EQ(shown[16].axis_w.x, 0);
+    EXPECT_EQ(budget.choose(lights, 2)[0].axis_w.x, 1);
+    EXPECT_EQ(budget.choose(lights, 2)[16].axis_w.x, 1);
+    EXPECT_TRUE(budget.is_short());
+    (void)budget.choose(lights, 2);
+    EXPECT_FALSE(budget.is_short());
+}
+
+TEST(LightBudget, WhatGoesDarkDoesNotWait) {
+    LightBudget budget;
+    std::vector<shared::Light> lights = turned(64, 0);
+    (void)budget.choose(lights, 2);
+    for (std::size_t i = 0; i < lights.size(); ++i) {
+        lights[i].axis_w.x = 1;
+        if (i >= 32) lights[i].intensity_cd = glm::vec3(0);
+    }
+    const std::vector<shared::Light>& shown = budget.choose(lights, 2);
+    for (std::size_t i = 32; i < lights.size(); ++i) EXPECT_EQ(shown[i].intensity_cd.x, 0) << i;
+}
+
+TEST(LightBudget, HalfOfTheLightsWhereThereIsTimeForThem) {
+    LightBudget budget;
+    (void)budget.choose(turned(64, 0), 32);
+    const std::vector<shared::Light>& shown = budget.choose(turned(64, 1), 32);
+    EXPECT_TRUE(budget.is_short());
+    int fresh = 0;
+    for (const shared::Light& light : shown) fresh += light.axis_w.x == 1 ? 1 : 0;
+    EXPECT_EQ(fresh, 32);
+}
+
 // Where a part of the lights is brought up to date by turns, each is drawn once a turn and the rest is a few
 // images.
 TEST(LightBudget, AQuarterOfTheLightsIsDrawnInEachPicture) {
