@@ -10,12 +10,9 @@
 namespace ghost::render {
 namespace {
 
-// Of the mesh's size: one for each level.
-constexpr float kErrors[] = {0.00003f, 0.0001f, 0.0003f, 0.001f, 0.002f, 0.004f, 0.008f, 0.016f, 0.03f};
+constexpr float kErrors[] = {0.0003f, 0.001f, 0.002f, 0.004f, 0.008f, 0.016f, 0.03f}; // of the mesh's size
 constexpr float kMostOfMean = 3; // quadrics are means over an area; a tube is off by up to 2.5 of them
 constexpr std::size_t kMinTriangles = 64; // fewer are not worth a choice
-// From here on what consists of many pieces, which no edge joins, may melt into fewer.
-constexpr float kLeastLoose = 0.008f;
 
 // Hard edges have several vertices in one place, which would hold the mesh together as it is. Those of a
 // texture's seam stay apart.
@@ -60,15 +57,9 @@ std::vector<DetailLevel> detail_levels(const std::vector<glm::vec3>& positions_m
     std::size_t before = indices.size();
     for (const float error : kErrors) {
         std::vector<std::uint32_t> coarse(whole.size());
-        const auto is_coarser = [&] { return !coarse.empty() && 3 * coarse.size() <= 2 * before; };
         coarse.resize(meshopt_simplify(coarse.data(), whole.data(), whole.size(), &at_m[0].x, at_m.size(),
                                        sizeof at_m[0], 3, error, 0, nullptr));
-        if (!is_coarser() && error >= kLeastLoose) {
-            coarse.resize(whole.size());
-            coarse.resize(meshopt_simplifySloppy(coarse.data(), whole.data(), whole.size(), &at_m[0].x,
-                                                 at_m.size(), sizeof at_m[0], 3, error, nullptr));
-        }
-        if (!is_coarser()) continue;
+        if (coarse.empty() || 3 * coarse.size() > 2 * before) continue;
         before = coarse.size();
         DetailLevel& level = levels.emplace_back();
         level.error_m = kMostOfMean * error * size_m;

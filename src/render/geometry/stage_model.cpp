@@ -300,17 +300,11 @@ bool StageModel::place(const Instance& instance, const glm::vec3& eye_m, const s
 }
 
 std::size_t StageModel::level_for(const Draw& draw, float most_error_rad) const {
-    const Mesh& mesh = meshes_[draw.mesh];
     const glm::mat3 axes(draw.to_eye);
-    const auto [thinnest, widest] =
-        std::minmax({glm::length(axes[0]), glm::length(axes[1]), glm::length(axes[2])});
-    // The eye may stand within the ball around a long truss and far from its box.
-    const glm::vec3 eye_m(glm::inverse(draw.to_eye)[3]);
-    const float to_box_m = sane(glm::distance(eye_m, glm::clamp(eye_m, mesh.low_m, mesh.high_m)), 0.0f);
-    const float near_m = std::max(draw.near_m, thinnest * to_box_m);
+    const float scale = std::max({glm::length(axes[0]), glm::length(axes[1]), glm::length(axes[2])});
+    const std::vector<Level>& levels = meshes_[draw.mesh].levels;
     std::size_t level = 0;
-    while (level < mesh.levels.size() && mesh.levels[level].error_m * widest < most_error_rad * near_m)
-        ++level;
+    while (level < levels.size() && levels[level].error_m * scale < most_error_rad * draw.near_m) ++level;
     return level;
 }
 
