@@ -6,6 +6,7 @@
 #include "cli/options/number_option.h"
 
 #include "base/log.h"
+#include "base/own_program.h"
 #include "base/print.h"
 
 #include <cstdio>
@@ -91,7 +92,6 @@ void add_bench(CLI::App& app, int& exit_code) {
     command->footer("Example: ghostlight bench paper --json\n"
                     "         ghostlight bench window --soak 3600");
     command->callback([a, &exit_code] {
-        std::error_code code;
         if (a->options.soak_seconds > 0 && a->table != "network" && a->table != "window") {
             log_error(
                 "--soak: belongs to the tables network and window: ghostlight bench network --soak 3600");
@@ -114,7 +114,7 @@ void add_bench(CLI::App& app, int& exit_code) {
             exit_code = 2;
             return;
         }
-        a->options.program = std::filesystem::read_symlink("/proc/self/exe", code).string();
+        a->options.program = own_program().string();
         exit_code = run_bench(*a);
     });
 }

@@ -4,6 +4,7 @@
 #include "base/child.h"
 #include "base/interrupt.h"
 #include "base/log.h"
+#include "base/own_program.h"
 #include "base/progress.h"
 #include "base/steady_time.h"
 #include "farm/farm_task.h"
@@ -34,8 +35,7 @@ Result<Hold> hold_of(const FarmPlan& plan) {
 }
 
 Result<void> do_here(const FarmPlan& plan, const std::vector<std::size_t>& tasks, int at_once, bool quiet) {
-    std::error_code code;
-    const std::string program = fs::read_symlink("/proc/self/exe", code).string();
+    const std::string program = own_program().string();
     Progress progress("farm", quiet ? Progress::Style::silent : Progress::style_for_stderr(), steady_now_s());
     std::size_t ended = 0;
     for (const int stage : {0, 1}) {

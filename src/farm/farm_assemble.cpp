@@ -4,6 +4,7 @@
 #include "base/child.h"
 #include "base/interrupt.h"
 #include "base/log.h"
+#include "base/own_program.h"
 #include "disk/crc32.h"
 #include "disk/files.h"
 #include "image/ldr.h"
@@ -125,8 +126,7 @@ Result<FarmDone> write_film(const FarmPlan& plan) {
 
 // The bake finds the pictures of all parts, makes what it does not find, and writes the manifests.
 Result<FarmDone> finish_bake(const FarmPlan& plan) {
-    std::error_code code;
-    std::vector<std::string> words{fs::read_symlink("/proc/self/exe", code).string()};
+    std::vector<std::string> words{own_program().string()};
     words.insert(words.end(), plan.words.begin(), plan.words.end());
     // Each begins with its camera.
     for (std::size_t task = 0; task < plan.tasks.size(); ++task)

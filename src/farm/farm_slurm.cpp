@@ -2,6 +2,7 @@
 #include "farm/farm.h"
 
 #include "base/child.h"
+#include "base/own_program.h"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -129,9 +130,7 @@ Result<std::vector<std::string>> submit_to_slurm(const FarmPlan& plan, const std
     if (!is_plain(plan.folder.string()))
         return Error{"Slurm cannot write its log where a folder's name has % or \\", plan.folder.string()};
     TRY_VOID(check_logs(plan.folder / "log"));
-    std::error_code code;
-    const Sbatch sbatch{plan, CLI::detail::split_up(options),
-                        fs::read_symlink("/proc/self/exe", code).string()};
+    const Sbatch sbatch{plan, CLI::detail::split_up(options), own_program().string()};
     const std::string folder = quoted(plan.folder.string());
     const std::size_t most = array_size();
     std::vector<std::string> jobs, before;

@@ -4,6 +4,7 @@
 #include "base/child.h"
 #include "base/interrupt.h"
 #include "base/log.h"
+#include "base/own_program.h"
 #include "disk/crc32.h"
 #include "disk/files.h"
 #include "live/session/passes_sources.h"
@@ -101,9 +102,8 @@ Result<void> run_task(const FarmPlan& plan, std::size_t task) {
     TRY_VOID(wait_for_stage(plan, wanted.stage));
     FarmDone done;
     done.host = node_name();
-    std::vector<std::string> words{"/proc/self/exe"};
+    std::vector<std::string> words{own_program().string()};
     std::error_code code;
-    words[0] = fs::read_symlink(words[0], code).string();
     words.insert(words.end(), plan.words.begin(), plan.words.end());
     words.insert(words.end(), wanted.words.begin(), wanted.words.end());
     fs::path pictures;

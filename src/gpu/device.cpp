@@ -173,7 +173,7 @@ Result<void> Device::choose_physical(const DeviceOptions& options) {
         VkPhysicalDeviceProperties properties;
         vkGetPhysicalDeviceProperties(all[i], &properties);
         const std::string lack = missing(all[i], properties, options.lowered_limits);
-        found += "\n  " + std::to_string(i) + ": " + properties.deviceName +
+        found += (i == 0 ? " " : ", ") + std::to_string(i) + ": " + properties.deviceName +
                  (lack.empty() ? "" : " (lacks " + lack + ")");
         if (!lack.empty()) continue;
         const bool matches = wanted.empty() || wanted == std::to_string(i) ||

@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 #include <memory>
 #include <stdexcept>
+#include <string_view>
 
 namespace ghost::scene {
 namespace {
@@ -41,10 +42,10 @@ Show rig() {
     return show;
 }
 
-const PaperTable& table_named(const Paper& paper, const std::string& file) {
+const PaperTable& table_named(const Paper& paper, std::string_view file) {
     for (const PaperTable& one : paper.tables)
         if (one.file == file) return one;
-    throw std::runtime_error("no table " + file);
+    throw std::runtime_error("no table " + std::string(file));
 }
 
 using Row = std::vector<std::string>;

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <gtest/gtest.h>
 #include <memory>
+#include <string_view>
 
 namespace ghost::scene {
 namespace {
@@ -41,10 +42,10 @@ PatchedFixture hung(const std::string& name, int universe, int address) {
     return fixture;
 }
 
-const PaperTable& table(const Paper& paper, const std::string& file) {
+const PaperTable& table(const Paper& paper, std::string_view file) {
     for (const PaperTable& one : paper.tables)
         if (one.file == file) return one;
-    throw std::runtime_error("no table " + file);
+    throw std::runtime_error("no table " + std::string(file));
 }
 
 std::vector<std::string> column(const PaperTable& table, const std::string& title) {

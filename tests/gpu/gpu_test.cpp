@@ -59,6 +59,7 @@ TEST_F(Gpu, UnknownDeviceListsWhatThereIs) {
     ASSERT_FALSE(made.ok());
     EXPECT_NE(made.error().text().find("GeForce 8600M GT"), std::string::npos) << made.error().text();
     EXPECT_NE(made.error().text().find(device().name()), std::string::npos) << made.error().text();
+    EXPECT_EQ(made.error().text().find("\\u000a"), std::string::npos) << made.error().text(); // one line
 }
 
 TEST_F(Gpu, DeviceIsFoundByPartOfItsName) {

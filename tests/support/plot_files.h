@@ -10,6 +10,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <string_view>
 
 namespace ghost::scene {
 
@@ -89,7 +90,7 @@ inline Show opened_xml(const std::string& name, const std::string& xml, Report& 
     return opened(path, report);
 }
 
-inline const PatchedFixture& named(const Show& show, const std::string& name) {
+inline const PatchedFixture& named(const Show& show, std::string_view name) {
     for (const PatchedFixture& fixture : show.fixtures)
         if (fixture.name == name) return fixture;
     ADD_FAILURE() << "no fixture " << name;
