@@ -28,7 +28,7 @@ constexpr std::size_t kMaxPoints = 200000; // the largest of QLC+'s 536 drawings
 constexpr float kInk = 0.2f;               // darker greys are black ink: metal lets nothing through
 // Of the circle that fits into the drawing: discs of black that end short of it would leave a ring of light.
 constexpr float kDisc = 0.98f;
-constexpr int kMaxShapes = 500;
+constexpr int kMaxShapes = 2000;
 constexpr int kMaxGroupDepth = 32;
 
 using Paint = std::optional<vec3>; // sRGB, 0..1; none: not painted
@@ -241,7 +241,7 @@ private:
 
     void paint(const std::vector<SvgLine>& lines, const Style& style, const glm::mat3& transform) {
         if (++shapes_ > kMaxShapes)
-            return say("a gobo drawing has more than 500 shapes, the rest is not drawn");
+            return say("a gobo drawing has more than 2000 shapes, the rest is not drawn");
         if (style.fill) {
             std::vector<image::Polygon> polygons;
             append_polygons(lines, transform, polygons);

@@ -111,7 +111,7 @@ TEST(gobo_drawing, hostile_drawings_cost_little) {
     EXPECT_NE(drawn(deep).problem.find("deep"), std::string::npos);
     std::string many;
     for (int i = 0; i < 20000; ++i) many += "<rect width='1' height='1'/>";
-    EXPECT_NE(drawn(many).problem.find("500 shapes"), std::string::npos);
+    EXPECT_NE(drawn(many).problem.find("2000 shapes"), std::string::npos);
     std::string points = "<path stroke='red' stroke-width='90' d='M0 0";
     for (int i = 0; i < 300000; ++i) points += i % 2 ? "L100 0" : "L0 100";
     EXPECT_NE(drawn(points + "'/>").problem, "");

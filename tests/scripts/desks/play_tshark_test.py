@@ -94,10 +94,11 @@ def main():
         needs.skip(f"{GHOSTLIGHT} is not built")
     try:
         subprocess.run(["ip", "netns", "add", WIRE], check=True, capture_output=True)
+        subprocess.run(["ip", "-n", WIRE, "link", "set", "lo", "up"], check=True, capture_output=True)
     except subprocess.CalledProcessError as error:
+        subprocess.run(["ip", "netns", "del", WIRE], capture_output=True)
         needs.skip(f"no network namespaces here: {error}")
     try:
-        subprocess.run(["ip", "-n", WIRE, "link", "set", "lo", "up"], check=True)
         print("| desk | looks sent | packets | slots | gaps in the numbers | off its time, ms: median | 99 % | most |\n|---|---|---|---|---|---|---|---|")
         with tempfile.TemporaryDirectory() as folder:
             work = pathlib.Path(folder)
