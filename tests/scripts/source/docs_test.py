@@ -13,6 +13,9 @@ import sys
 import tempfile
 from pathlib import Path
 
+sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "lib"))
+import source_files  # noqa: E402  (the folder is known only now)
+
 ROOT = Path(sys.argv[1]).resolve()
 PROGRAM = Path(sys.argv[2]).resolve() / "ghostlight" if len(sys.argv) > 2 else None
 # Folders whose paths are named in prose. What a program makes (build, .ghost, demo-out) is not there before.
@@ -34,9 +37,7 @@ wrong = []
 
 
 def documents():
-    listed = subprocess.run(["git", "-C", ROOT, "ls-files", "-z", "--", "*.md"], capture_output=True, text=True)
-    names = listed.stdout.split("\0")[:-1] if listed.returncode == 0 else []
-    return [ROOT / name for name in names] or sorted([*ROOT.glob("*.md"), *(ROOT / "docs").rglob("*.md"), *(ROOT / "tests").rglob("*.md")])
+    return [ROOT / name for name in source_files.listed(ROOT) if name.endswith(".md")]
 
 
 def anchors(file):

@@ -3,10 +3,12 @@
 """None of the words that docs/reference/glossary.md lists as no more is used, and what limits or describes one thing stands in one place: no
 two files of src/ define a constant of the same name and value. The argument is the source root."""
 import re
-import subprocess
 import sys
 from collections import defaultdict
 from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "lib"))
+import source_files  # noqa: E402  (the folder is known only now)
 
 ROOT = Path(sys.argv[1]).resolve()
 GLOSSARY = "docs/reference/glossary.md"
@@ -24,10 +26,7 @@ wrong = []
 
 
 def files():
-    listed = subprocess.run(["git", "-C", ROOT, "ls-files", "-z"], capture_output=True, text=True)
-    names = listed.stdout.split("\0")[:-1] if listed.returncode == 0 else [
-        file.relative_to(ROOT).as_posix() for top in ("src", "shaders", "tests", "tools", "docs") for file in (ROOT / top).rglob("*") if file.is_file()]
-    return [name for name in names if name.endswith(SOURCES) and (ROOT / name).is_file()]
+    return [name for name in source_files.listed(ROOT) if name.endswith(SOURCES)]
 
 
 def check_words(names):

@@ -13,6 +13,10 @@ import sys
 import tempfile
 
 SOURCE, BUILD = pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2])
+sys.path.insert(0, str(SOURCE / "tests/scripts/lib"))
+import needs  # noqa: E402  (the folder is known only now)
+
+needs.packages("patchelf", "help2man")
 
 
 def run(*words, expected=0, **options):
