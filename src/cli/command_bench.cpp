@@ -6,8 +6,8 @@
 #include "cli/options/number_option.h"
 
 #include "base/log.h"
-#include "base/own_program.h"
 #include "base/print.h"
+#include "disk/own_program.h"
 
 #include <cstdio>
 #include <filesystem>

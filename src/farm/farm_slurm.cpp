@@ -2,7 +2,7 @@
 #include "farm/farm.h"
 
 #include "base/child.h"
-#include "base/own_program.h"
+#include "disk/own_program.h"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>

@@ -2,7 +2,6 @@
 // ghostlight-bench: what a machine's graphics make of Ghostlight, without window, films and network. It runs
 // in the folder that holds assets/, which is its own one where that has them.
 #include "base/log.h"
-#include "base/own_program.h"
 #include "base/print.h"
 #include "bench/report.h"
 #include "bench/tables.h"
@@ -97,7 +96,7 @@ int main(int argc, char** argv) {
     }
     ghost::set_log_level(ghost::LogLevel::warning);
     std::error_code code;
-    options.program = ghost::own_program().string();
+    options.program = fs::read_symlink("/proc/self/exe", code).string();
     report.out = out;
     work_beside(options.program, report.out);
     if (options.against.empty() && fs::exists("goldens", code)) options.against = "goldens";

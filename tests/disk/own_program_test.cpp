@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "base/own_program.h"
+#include "disk/own_program.h"
 
 #include "support/test_folder.h"
 
