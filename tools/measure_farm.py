@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """What a farm costs beside the work itself: a bake of 100 passes and a film of 2,000 frames on a Slurm of two nodes of one core each, all
 on this machine, against the ideal: the time of all tasks together, by two.
-Usage: measure_farm.py BUILD_FOLDER [bake|film]. Needs slurm-wlm and munge, two cores that do nothing else, and half an hour."""
+Usage: measure_farm.py BUILD_FOLDER [bake|film] [WIDTHxHEIGHT]. Needs slurm-wlm and munge, two cores that do nothing else, and a quarter of an hour."""
 import pathlib
 import re
 import shutil
@@ -16,12 +16,12 @@ from farm import Ghostlight, plan_of  # noqa: E402  (the folder is known only no
 from slurm import Cluster  # noqa: E402
 
 CAMERAS = 10  # of ten lights each
-SIZE, SAMPLES = (512, 288), 16
+SAMPLES = 16
 FRAMES, FPS = 2000, 30
 FARM = ["--farm", "slurm", "--farm-options", "--cpus-per-task=1", "--quiet"]
 
 
-def large_show(folder):
+def large_show(folder, size):
     """The demo with ten cameras, an arm's length from each other."""
     shutil.copytree(SOURCE / "assets/demo", folder, ignore=shutil.ignore_patterns(".ghost"))
     shutil.copytree(SOURCE / "assets/fixtures", folder.parent / "fixtures")
@@ -30,7 +30,7 @@ def large_show(folder):
     cameras = re.findall(r"^\[\[camera\]\].*?(?=^\[\[)", text, flags=re.M | re.S)
     for camera in cameras[1:]:
         text = text.replace(camera, "")
-    first = re.sub(r"^size = .*$", f"size = [{SIZE[0]}, {SIZE[1]}]", cameras[0], flags=re.M)
+    first = re.sub(r"^size = .*$", f"size = [{size[0]}, {size[1]}]", cameras[0], flags=re.M)
     all_of_them = "".join(first.replace('"house"', f'"house {k}"').replace("[0.0, -15.5,", f"[{0.5 * k}, -15.5,") for k in range(CAMERAS))
     toml.write_text(text.replace(cameras[0], all_of_them), encoding="utf-8")
     return folder
@@ -60,7 +60,10 @@ def empty_tasks(cluster, count):
 
 
 def main():
-    wanted = sys.argv[2:] or ["bake", "film"]
+    words = sys.argv[2:]
+    sizes = [word for word in words if "x" in word] or ["1024x576"]
+    size = [int(number) for number in sizes[0].split("x")]
+    wanted = [word for word in words if "x" not in word] or ["bake", "film"]
     with tempfile.TemporaryDirectory() as folder:
         work = pathlib.Path(folder)
         cluster = Cluster(work / "cluster")
@@ -68,12 +71,12 @@ def main():
             cluster.up()
             empty_tasks(cluster, 100)
             ghost = Ghostlight(pathlib.Path(sys.argv[1]).resolve() / "ghostlight", cluster.environment, work, limit_s=3600)
-            show = large_show(work / "show")
+            show = large_show(work / "show", size)
             if "bake" in wanted:
-                measure(ghost, show, f"bake of {10 * CAMERAS} passes, {SIZE[0]}x{SIZE[1]}, {SAMPLES} samples", "bake", show, "--spp", SAMPLES)
+                measure(ghost, show, f"bake of {10 * CAMERAS} passes, {sizes[0]}, {SAMPLES} samples", "bake", show, "--spp", SAMPLES)
             if "film" in wanted:
                 words = ["--view", "house 0", "--from", "0", "--to", f"{FRAMES / FPS:.3f}", "--fps", FPS]
-                measure(ghost, show, f"film of {FRAMES} frames, {SIZE[0]}x{SIZE[1]}", "render", show, "-o", "film.mp4", *words)
+                measure(ghost, show, f"film of {FRAMES} frames, {sizes[0]}", "render", show, "-o", "film.mp4", *words)
         finally:
             cluster.down()
 

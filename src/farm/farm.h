@@ -43,7 +43,8 @@ struct SlurmJob {
     std::string state; // RUNNING, PENDING ..
     std::string node, reason;
 };
-// Arrays of these tasks, the second after the first, and a job that assembles; the numbers of the jobs.
+// Arrays of these tasks, the second after the first, and a job that assembles, for a film one that does so
+// while the last tasks are at work, too; the numbers of the jobs.
 Result<std::vector<std::string>> submit_to_slurm(const FarmPlan& plan, const std::vector<std::size_t>& tasks,
                                                  const std::string& options);
 // Those of them that have not ended. Error: Slurm does not answer.

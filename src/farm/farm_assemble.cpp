@@ -13,9 +13,11 @@
 #include "show_folder/load_show.h"
 #include "video/files/film.h"
 
+#include <algorithm>
 #include <chrono>
 #include <cstdlib>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <thread>
 
 namespace ghost::app {
@@ -27,6 +29,8 @@ namespace fs = std::filesystem;
 constexpr auto kPatience = std::chrono::seconds(60);
 constexpr auto kBetweenRecounts = std::chrono::seconds(2);
 constexpr std::size_t kMostNamed = 5;
+// An early one keeps a place on the farm that a task may need which has to be made again.
+constexpr double kPatienceInTasks = 3.0; // of the longest so far
 
 Result<void> check_whole(const FarmPlan& plan) {
     const auto begun = std::chrono::steady_clock::now();
@@ -79,15 +83,29 @@ Result<video::FilmSound> sound_of(const FarmPlan& plan, long first_frame) {
     return film_sound(show, static_cast<double>(first_frame) / plan.fps);
 }
 
-Result<FarmDone> write_film(const FarmPlan& plan) {
+// Nothing: it failed, or there has been no word of it for long.
+std::optional<FarmDone> awaited(const FarmPlan& plan, std::size_t task, double longest_s) {
+    const auto begun = std::chrono::steady_clock::now();
+    const auto patience = kPatience + std::chrono::duration<double>(kPatienceInTasks * longest_s);
+    for (;;) {
+        if (auto done = done_of(plan, task)) return done;
+        if (interrupted() || !failure_of(plan, task).empty() ||
+            std::chrono::steady_clock::now() - begun > patience)
+            return std::nullopt;
+        std::this_thread::sleep_for(kBetweenRecounts);
+    }
+}
+
+Result<FarmDone> write_film(const FarmPlan& plan, bool is_early) {
     FarmDone result;
-    const bool is_film = plan.out.extension() == ".mp4";
+    double longest_s = 0.0;
     std::unique_ptr<video::FilmWriter> film;
     long number = 0;
     for (std::size_t task = 0; task < plan.tasks.size(); ++task) {
         if (plan.tasks[task].first_frame < 0) continue;
-        const auto done = done_of(plan, task);
-        if (!done) return Error{"was done and is gone", plan.tasks[task].name};
+        const auto done = is_early ? awaited(plan, task, longest_s) : done_of(plan, task);
+        if (!done) return Error{is_early ? "did not come" : "was done and is gone", plan.tasks[task].name};
+        longest_s = std::max(longest_s, done->seconds);
         // By number, which has more digits from 100,000 on.
         for (long frame = plan.tasks[task].first_frame; frame <= plan.tasks[task].last_frame;
              ++frame, ++number) {
@@ -98,7 +116,7 @@ Result<FarmDone> write_film(const FarmPlan& plan) {
             if (expected == done->files.end()) return Error{"has no " + name, plan.tasks[task].name};
             TRY(const std::vector<std::uint8_t> bytes,
                 picture_bytes(plan, task, plan.folder / "frames" / done->folder / name, expected->second));
-            if (is_film) {
+            if (plan.is_one_file()) {
                 TRY(const image::Image8 picture, image::decode_ldr(bytes, name));
                 if (!film) {
                     TRY(video::FilmSound sound, sound_of(plan, frame));
@@ -140,7 +158,32 @@ Result<FarmDone> finish_bake(const FarmPlan& plan) {
     return FarmDone{};
 }
 
+Result<void> assemble(const FarmPlan& plan, bool is_early) {
+    TRY_VOID(check_same(plan));
+    if (!is_early) TRY_VOID(check_whole(plan));
+    TRY(FarmDone result, plan.is_film() ? write_film(plan, is_early) : finish_bake(plan));
+    result.host = node_name();
+    nlohmann::json files = nlohmann::json::object();
+    for (const auto& [name, file] : result.files) files[name] = {file.first, file.second};
+    return write_file_atomic(
+        plan.result_file(),
+        nlohmann::json(
+            {{"host", result.host}, {"seconds", 0.0}, {"passes", ""}, {"folder", ""}, {"files", files}})
+                .dump() +
+            "\n");
+}
+
 } // namespace
+
+Result<void> assemble_farm_early(const FarmPlan& plan) {
+    if (!plan.is_one_file() || has_result(plan)) return {};
+    TRY_VOID(check_ours(plan));
+    TRY_VOID(make_plan_folders(plan));
+    const Result<void> done = assemble(plan, true);
+    if (done.ok()) return remove_pictures(plan);
+    log_info("not put together yet: " + done.error().text());
+    return {};
+}
 
 Result<void> assemble_farm(const FarmPlan& plan) {
     if (has_result(plan)) {
@@ -151,22 +194,7 @@ Result<void> assemble_farm(const FarmPlan& plan) {
     TRY_VOID(make_plan_folders(plan));
     const std::size_t as_task = plan.tasks.size();
     std::error_code code;
-    const auto assemble = [&]() -> Result<void> {
-        TRY_VOID(check_same(plan));
-        TRY_VOID(check_whole(plan));
-        TRY(FarmDone result, plan.is_film() ? write_film(plan) : finish_bake(plan));
-        result.host = node_name();
-        nlohmann::json files = nlohmann::json::object();
-        for (const auto& [name, file] : result.files) files[name] = {file.first, file.second};
-        TRY_VOID(write_file_atomic(
-            plan.result_file(),
-            nlohmann::json(
-                {{"host", result.host}, {"seconds", 0.0}, {"passes", ""}, {"folder", ""}, {"files", files}})
-                    .dump() +
-                "\n"));
-        return {};
-    };
-    const Result<void> done = assemble();
+    const Result<void> done = assemble(plan, false);
     if (!done.ok()) {
         if (const auto kept = write_file_atomic(plan.failed_file(as_task), done.error().text() + "\n");
             !kept.ok())

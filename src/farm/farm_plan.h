@@ -47,6 +47,7 @@ struct FarmPlan {
     bool is_trusted = false; // this user says that it may be done, whoever made it
 
     bool is_film() const { return !out.empty(); }
+    bool is_one_file() const { return out.extension() == ".mp4"; }                // else numbered pictures
     std::string result_name() const { return (is_film() ? out : show).string(); } // for messages
     std::filesystem::path done_file(std::size_t task) const;
     std::filesystem::path failed_file(std::size_t task) const;

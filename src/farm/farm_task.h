@@ -14,6 +14,9 @@ Result<void> run_farm_task(const FarmPlan& plan, std::size_t task);
 
 // The film of the pictures, or the manifest of the passes. Error: names what is missing.
 Result<void> assemble_farm(const FarmPlan& plan);
+// Of a film whose last tasks are at work: the same in the meantime, picture by picture as they come. Where
+// one does not come nothing is written, which is no error: whoever assembles at the end says what is missing.
+Result<void> assemble_farm_early(const FarmPlan& plan);
 
 // Error: this is another build, the show was edited since, or this machine does not see it.
 Result<void> check_same(const FarmPlan& plan);

@@ -13,7 +13,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
+#include <map>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -30,6 +33,9 @@ constexpr float kInk = 0.2f;               // darker greys are black ink: metal 
 constexpr float kDisc = 0.98f;
 constexpr int kMaxShapes = 2000;
 constexpr int kMaxGroupDepth = 32;
+constexpr int kMaxElements = 20000; // groups, shapes, and those of clips each time that they are used
+// Of edges with the lines of samples: what filling takes its time for.
+constexpr double kMaxCrossings = 2e7;
 
 using Paint = std::optional<vec3>; // sRGB, 0..1; none: not painted
 
@@ -97,6 +103,15 @@ public:
             vec2(box[0], box[1]) - 0.5f * (vec2(side) - vec2(box[2], box[3])); // in the middle
         to_pixels_ = glm::mat3(scale, 0, 0, 0, scale, 0, -corner.x * scale, -corner.y * scale, 1);
         colors_.assign(kPixels, vec3(1.0f));
+        struct Clips : pugi::xml_tree_walker {
+            std::map<std::string, pugi::xml_node, std::less<>>& named;
+            explicit Clips(std::map<std::string, pugi::xml_node, std::less<>>& all) : named(all) {}
+            bool for_each(pugi::xml_node& node) override {
+                if (svg_name(node.name()) == "clipPath") named.emplace(node.attribute("id").value(), node);
+                return true;
+            }
+        } clips(clips_);
+        root_.traverse(clips);
     }
 
     GoboDrawing draw() {
@@ -145,17 +160,17 @@ private:
         const std::size_t open = link.find('#');
         const std::size_t close = link.find(')');
         if (open == link.npos || close == link.npos || close < open) return;
-        const std::string id(trimmed(link.substr(open + 1, close - open - 1)));
-        const pugi::xml_node clip = root_.find_node([&](const pugi::xml_node& node) {
-            return svg_name(node.name()) == "clipPath" && id == node.attribute("id").value();
-        });
+        const auto clip = clips_.find(trimmed(link.substr(open + 1, close - open - 1)));
+        if (clip == clips_.end()) return;
         std::vector<image::Polygon> polygons;
-        for (const pugi::xml_node shape : clip.children())
+        for (const pugi::xml_node shape : clip->second.children()) {
+            if (!is_one_more()) return;
             append_polygons(lines_of(shape), transform * svg_transform(shape.attribute("transform").value()),
                             polygons);
-        if (!clip || ++shapes_ > kMaxShapes) return;
-        const std::vector<float> covered =
-            image::coverage(polygons, image::FillRule::nonzero, kGoboDrawing_px, kGoboDrawing_px);
+        }
+        if (++shapes_ > kMaxShapes) return;
+        const std::vector<float> covered = coverage(polygons, image::FillRule::nonzero);
+        if (covered.empty()) return;
         if (style.clip.empty()) style.clip.assign(kPixels, 1.0f);
         for (std::size_t i = 0; i < kPixels; ++i) style.clip[i] *= covered[i];
     }
@@ -170,6 +185,7 @@ private:
                 continue;
             }
             if (is_svg_silent(name)) continue;
+            if (!is_one_more()) return;
             const glm::mat3 here = transform * svg_transform(node.attribute("transform").value());
             if (is_group) {
                 children(node, styled(style, node, here), here, depth + 1);
@@ -178,6 +194,13 @@ private:
             const std::vector<SvgLine> lines = lines_of(node);
             if (!lines.empty()) paint(lines, styled(style, node, here), here);
         }
+    }
+
+    bool is_one_more() {
+        if (++elements_ <= kMaxElements) return true;
+        say("a gobo drawing has more than " + std::to_string(kMaxElements) +
+            " elements, the rest is not drawn");
+        return false;
     }
 
     std::vector<SvgLine> lines_of(pugi::xml_node node) { // empty: nothing to draw
@@ -256,9 +279,26 @@ private:
         }
     }
 
+    // Empty: there was too much before.
+    std::vector<float> coverage(const std::vector<image::Polygon>& polygons, image::FillRule rule) {
+        constexpr float side = kGoboDrawing_px;
+        for (const image::Polygon& polygon : polygons)
+            for (std::size_t i = 0; i < polygon.size(); ++i) {
+                const float a = std::clamp(polygon[i].y, 0.0f, side),
+                            b = std::clamp(polygon[(i + 1) % polygon.size()].y, 0.0f, side);
+                crossings_ += 8.0 + 4.0 * std::abs(b - a);
+            }
+        if (crossings_ > kMaxCrossings) {
+            say("a gobo drawing has too many long strokes and edges, the rest is not drawn");
+            return {};
+        }
+        return image::coverage(polygons, rule, kGoboDrawing_px, kGoboDrawing_px);
+    }
+
     void mix(const std::vector<image::Polygon>& polygons, image::FillRule rule, const vec3& color,
              float opacity, const std::vector<float>& clip) {
-        const std::vector<float> covered = image::coverage(polygons, rule, kGoboDrawing_px, kGoboDrawing_px);
+        const std::vector<float> covered = coverage(polygons, rule);
+        if (covered.empty()) return;
         for (std::size_t i = 0; i < kPixels; ++i)
             colors_[i] += (color - colors_[i]) * (covered[i] * opacity * (clip.empty() ? 1.0f : clip[i]));
     }
@@ -267,8 +307,10 @@ private:
     glm::mat3 to_pixels_{1.0f};
     std::vector<vec3> colors_; // sRGB
     std::string problem_;
+    std::map<std::string, pugi::xml_node, std::less<>> clips_; // by their name; of several the first
     std::size_t points_ = 0;
-    int shapes_ = 0;
+    int shapes_ = 0, elements_ = 0;
+    double crossings_ = 0.0;
 };
 
 } // namespace

@@ -113,8 +113,19 @@ TEST(gobo_drawing, hostile_drawings_cost_little) {
     for (int i = 0; i < 20000; ++i) many += "<rect width='1' height='1'/>";
     EXPECT_NE(drawn(many).problem.find("2000 shapes"), std::string::npos);
     std::string points = "<path stroke='red' stroke-width='90' d='M0 0";
-    for (int i = 0; i < 300000; ++i) points += i % 2 ? "L100 0" : "L0 100";
+    for (int i = 0; i < 150000; ++i) points += i % 2 ? "L100 0" : "L0 100";
+    EXPECT_NE(drawn(points + "'/>").problem.find("too many long strokes"), std::string::npos);
+    for (int i = 0; i < 150000; ++i) points += "L1 1";
     EXPECT_NE(drawn(points + "'/>").problem, "");
+    // Groups of a clip that is not there, and of one of many shapes: each is looked for and drawn again.
+    for (const std::size_t shapes : {0u, 30000u}) {
+        std::string clips = "<clipPath id='c'>";
+        for (std::size_t i = 0; i < shapes; ++i) clips += "<rect width='1' height='1'/>";
+        clips += "</clipPath>";
+        for (int i = 0; i < 100000; ++i)
+            clips += i % 2 ? "<g clip-path='url(#c)'/>" : "<g clip-path='url(#d)'/>";
+        EXPECT_NE(drawn(clips).problem.find("20000 elements"), std::string::npos) << shapes;
+    }
     for (const char* data : {"M nan 0 L inf 1e99", "M1e5 1e5A1e5 1e-30 7 1 1 5 5z", "L 1 1",
                              "M0 0A0 0 0 0 0 1 1T9 9S1 1 2 2", "Mz"})
         drawn("<path transform='matrix(1e30 1e30 1e30 1e30 1e38 1e38) scale(1e30)' stroke='#000' d='" +
