@@ -38,3 +38,6 @@ endif()
 
 find_path(CLI11_INCLUDE CLI/CLI.hpp REQUIRED)
 find_path(NLOHMANN_INCLUDE nlohmann/json.hpp REQUIRED)
+
+# What only the files of this system need, by room; elsewhere: dependencies_elsewhere.cmake.
+set(GHOST_OF_SYSTEM_base PkgConfig::SECCOMP)

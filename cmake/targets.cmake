@@ -23,15 +23,50 @@ function(ghost_options target)
     endif()
 endfunction()
 
+# Out of a list of files those of other systems: NAME_linux, NAME_posix (Linux and macOS), NAME_mac, NAME_windows; tests alike,
+# NAME_posix_test.
+function(ghost_only_ours files)
+    set(others _windows _mac)
+    if(WIN32)
+        set(others _linux _posix _mac)
+    elseif(APPLE)
+        set(others _linux _windows)
+    endif()
+    foreach(other ${others})
+        list(FILTER ${files} EXCLUDE REGEX "${other}(_test)?\\.cpp$")
+    endforeach()
+    set(${files} ${${files}} PARENT_SCOPE)
+endfunction()
+
+# On systems that not all of it was taken to, what needs a library or room that is not there is left out. Of these targets, missing gets
+# the first that there is not.
+function(ghost_missing missing)
+    set(${missing} "" PARENT_SCOPE)
+    if(NOT GHOST_PARTIAL)
+        return()
+    endif()
+    foreach(target ${ARGN})
+        if(target MATCHES "::|^ghost_" AND NOT TARGET ${target})
+            set(${missing} ${target} PARENT_SCOPE)
+            return()
+        endif()
+    endforeach()
+endfunction()
+
 # ghost_room(folder [LINKS rooms...] [PUBLIC|PRIVATE targets...]): static library ghost_<folder> of src/<folder>/*.cpp, with _ for /. Headers
-# in src/<folder>/private are for the room alone.
+# in src/<folder>/private are for the room alone; in src/<folder>/system are files of one system (ghost_only_ours).
 function(ghost_room folder)
     cmake_parse_arguments(PARSE_ARGV 1 room "" "" "LINKS;PUBLIC;PRIVATE")
     string(REPLACE "/" "_" name ${folder})
-    file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/src/${folder}/*.cpp)
+    file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/src/${folder}/*.cpp ${CMAKE_SOURCE_DIR}/src/${folder}/system/*.cpp)
     set(links ${room_LINKS})
     list(TRANSFORM links REPLACE "/" "_")
     list(TRANSFORM links PREPEND ghost_)
+    ghost_only_ours(sources)
+    ghost_missing(missing ${links} ${room_PUBLIC} ${room_PRIVATE})
+    if(missing OR (GHOST_PARTIAL AND NOT folder IN_LIST GHOST_PORTED))
+        return()
+    endif()
     if(NOT sources) # plain values
         add_library(ghost_${name} INTERFACE)
         target_link_libraries(ghost_${name} INTERFACE ${links} ${room_PUBLIC})
@@ -52,6 +87,11 @@ endfunction()
 function(ghost_test path)
     file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/tests/${path}/*_test.cpp)
     string(REPLACE "/" "_" folder ${path})
+    ghost_only_ours(sources)
+    ghost_missing(missing ${ARGN})
+    if(missing)
+        return()
+    endif()
     add_executable(test_${folder} ${sources})
     ghost_options(test_${folder})
     if(GHOST_SANITIZE)
@@ -62,8 +102,8 @@ function(ghost_test path)
         target_sources(test_${folder} PRIVATE ${CMAKE_SOURCE_DIR}/tests/reader_main.cpp)
     endif()
     target_include_directories(test_${folder} PRIVATE ${CMAKE_SOURCE_DIR}/tests)
-    target_compile_definitions(test_${folder} PRIVATE GHOST_SOURCE_DIR="${CMAKE_SOURCE_DIR}"
-        GHOST_BINARY_DIR="${CMAKE_BINARY_DIR}")
+    target_compile_definitions(test_${folder} PRIVATE GHOST_SOURCE_DIR="${GHOST_DRIVE}${CMAKE_SOURCE_DIR}"
+        GHOST_BINARY_DIR="${GHOST_DRIVE}${CMAKE_BINARY_DIR}")
     target_link_libraries(test_${folder} PRIVATE ${ARGN} GTest::gtest_main)
     add_test(NAME ${folder} COMMAND test_${folder} WORKING_DIRECTORY ${CMAKE_SOURCE_DIR})
     set(limit_s 1200)
@@ -72,7 +112,8 @@ function(ghost_test path)
     endif()
     # What tests of another user or checkout left in /tmp is not theirs to replace.
     file(MAKE_DIRECTORY ${CMAKE_BINARY_DIR}/tests/tmp)
-    set_tests_properties(${folder} PROPERTIES LABELS room TIMEOUT ${limit_s} ENVIRONMENT TEST_TMPDIR=${CMAKE_BINARY_DIR}/tests/tmp)
+    set_tests_properties(${folder} PROPERTIES LABELS room TIMEOUT ${limit_s} ENVIRONMENT
+        "TEST_TMPDIR=${GHOST_DRIVE}${CMAKE_BINARY_DIR}/tests/tmp;${GHOST_TEST_ENVIRONMENT}")
 endfunction()
 
 # ghost_fuzz(file): libFuzzer target fuzz_<name> of <name>_fuzz.cpp, linked to the rooms that it includes, itself or by

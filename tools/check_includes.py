@@ -3,8 +3,8 @@
 """Holds the rooms of src/ to the links of src/CMakeLists.txt, and draws them.
 
 A room is a folder with a library of its own. It may include its own headers and those of the rooms that its line LINKS, all of which
-stand above it in that file; a link that nothing needs is an error, too. Headers in ROOM/private are for the room and its tests. Other
-people's headers and those of the operating system belong to the rooms or files of the tables below; a header in no table is an error. Long
+stand above it in that file; a link that nothing needs is an error, too. Headers in ROOM/private are for the room and its tests, sources in
+ROOM/system are those that differ from system to system. Other people's headers and those of the operating system belong to the rooms or files of the tables below; a header in no table is an error. Long
 files, full folders and files without a licence line or include guard are reported as well.
 
 Usage: check_includes.py [SOURCE_ROOT] [--draw]. --draw writes docs/design/rooms.svg and rooms.md; without it, one that is older than
@@ -50,23 +50,51 @@ LIBRARIES = {
     "glm/": None,  # vectors, everywhere
 }
 QT = re.compile(r"Q[A-Z]")
-SOCKETS = ("arpa/", "ifaddrs.h", "net/", "netdb.h", "netinet/", "sys/epoll.h", "sys/socket.h")
+SOCKETS = ("arpa/", "ifaddrs.h", "net/", "netdb.h", "netinet/", "sys/epoll.h", "sys/socket.h", "winsock2.h", "ws2tcpip.h", "mswsock.h", "iphlpapi.h")
 # Operating system and processor: the only files that a port to another system has to look at.
 PLATFORM_FILES = {
-    "src/disk/files.cpp": "fsync",
-    "src/disk/own_folder.cpp": "folders without following links",
-    "src/show_folder/hold.cpp": "file locks, name of the host",
-    "src/disk/user_file.cpp": "put into place without replacing",
-    "src/disk/disk_sync.cpp": "fdatasync, flock",
-    "src/disk/user_cache.cpp": "may this user write there",
-    "src/base/helper_process.cpp": "another process, a pair of sockets to it, its limits",
-    "src/base/child.cpp": "other programs",
-    "src/base/memory.cpp": "mallopt",
-    "src/base/give_way.cpp": "priority of a thread",
-    "src/base/progress.cpp": "is standard error a terminal",
-    "src/net/socket_linux.cpp": "sockets",
-    "src/net/tcp_linux.cpp": "TCP",
-    "src/net/serial_linux.cpp": "serial ports, MIDI ports",
+    "src/archives/system/open_zip_windows.cpp": "a zip file that others may replace",
+    "src/disk/system/files_posix.cpp": "whole files",
+    "src/disk/system/files_windows.cpp": "whole files, locks, put into place without replacing",
+    "src/disk/system/links_windows.cpp": "links and junctions",
+    "src/disk/system/own_folder_posix.cpp": "folders without following links",
+    "src/disk/system/own_folder_windows.cpp": "folders without following links",
+    "src/disk/system/disk_sync_linux.cpp": "fsync, fdatasync, flock, put into place without replacing",
+    "src/disk/system/disk_sync_mac.cpp": "F_FULLFSYNC, flock, put into place without replacing",
+    "src/disk/system/user_folders_linux.cpp": "may this user write there",
+    "src/disk/system/user_folders_mac.cpp": "may this user write there",
+    "src/disk/system/user_folders_windows.cpp": "may this user write there, known folders",
+    "src/show_folder/system/hold_posix.cpp": "file locks",
+    "src/show_folder/system/hold_windows.cpp": "file locks",
+    "src/base/system/helper_process_linux.cpp": "another process, a pair of sockets to it, its limits",
+    "src/base/system/helper_process_mac.cpp": "another process, a pair of sockets to it, its limits",
+    "src/base/system/helper_process_windows.cpp": "another process, a pipe to it, its job",
+    "src/base/system/child_posix.cpp": "other programs",
+    "src/base/system/child_windows.cpp": "other programs",
+    "src/base/private/start_windows.h": "CreateProcess",
+    "src/base/system/start_windows.cpp": "CreateProcess",
+    "src/base/system/text_windows.cpp": "UTF-16, texts of errors",
+    "src/base/system/memory_linux.cpp": "mallopt",
+    "src/base/system/memory_mac.cpp": "what Mach says of memory",
+    "src/base/system/memory_windows.cpp": "what Windows says of memory",
+    "src/base/system/give_way_linux.cpp": "priority of a thread",
+    "src/base/system/give_way_mac.cpp": "priority of a thread",
+    "src/base/system/give_way_windows.cpp": "priority of a thread",
+    "src/base/system/terminal_posix.cpp": "is standard error a terminal",
+    "src/base/system/terminal_windows.cpp": "is standard error a terminal",
+    "src/net/system/socket_linux.cpp": "sockets",
+    "src/net/system/socket_mac.cpp": "sockets",
+    "src/net/system/socket_windows.cpp": "sockets",
+    "src/net/system/interfaces_windows.cpp": "network interfaces",
+    "src/net/system/parse_address_posix.cpp": "inet_pton",
+    "src/net/system/parse_address_windows.cpp": "inet_pton",
+    "src/net/system/port_users_windows.cpp": "whose a UDP port is",
+    "src/net/private/winsock.h": "sockets",
+    "src/net/system/tcp_linux.cpp": "TCP",
+    "src/net/system/tcp_mac.cpp": "TCP",
+    "src/net/system/tcp_windows.cpp": "TCP",
+    "src/net/system/serial_posix.cpp": "serial ports, MIDI ports",
+    "src/net/system/serial_windows.cpp": "serial ports",
     "src/video/camera_linux.cpp": "video devices",
     "src/rays/tracer.cpp": "SSE mode of Embree",
     "src/bench/bench_offline.cpp": "memory and start of another process",
@@ -101,7 +129,7 @@ def read_rooms(cmake):
 def room_of(path):
     """The room of a file of src/, or of the tests that mirror it."""
     folder = path.parent.as_posix().split("/", 1)
-    return (folder[1] if len(folder) > 1 else "").removesuffix("/private")
+    return (folder[1] if len(folder) > 1 else "").removesuffix("/private").removesuffix("/system")
 
 
 def is_in(room, rooms):
@@ -140,7 +168,7 @@ def check_angled(room, file, include):
         return f"<{include}>: sockets belong to net"
     if "." not in include and "/" not in include:
         return None  # the C++ library
-    if file not in PLATFORM_FILES and room != "net":
+    if file not in PLATFORM_FILES:
         return f"<{include}>: unknown, or a header of the system outside of the files in tools/check_includes.py"
     return None
 

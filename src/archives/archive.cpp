@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "archives/archive.h"
 
+#include "archives/private/open_zip.h"
 #include "base/text.h"
 
 #include <zip.h>
@@ -92,7 +93,7 @@ Result<Archive> Archive::open_file(const std::filesystem::path& path, const Arch
                      path.string()};
     int code = 0;
     auto zip = std::make_unique<Zip>();
-    zip->handle = zip_open(path.c_str(), ZIP_RDONLY, &code);
+    zip->handle = open_zip(path, code);
     if (!zip->handle) {
         zip_error_t error;
         zip_error_init_with_code(&error, code);

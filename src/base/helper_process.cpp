@@ -1,96 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "base/helper_process.h"
 
-#include <algorithm>
-#include <array>
-#include <cerrno>
-#include <csignal>
-#include <cstring>
-#include <ctime>
-#include <utility>
+#include "base/private/helper_pipe.h"
 
-#include <fcntl.h>
-#include <poll.h>
-#include <sched.h>
-#include <seccomp.h>
-#include <spawn.h>
-#include <sys/resource.h>
-#include <sys/socket.h>
-#include <sys/wait.h>
-#include <unistd.h>
+#include <algorithm>
+#include <cstring>
+#include <utility>
 
 namespace ghost {
 namespace {
 
 constexpr std::size_t kGathered = 1 << 16;
-constexpr int kHelperDescriptor = 3; // in the helper, after the three that every process has
-
-// What instrumented code reserves has nothing to do with what it uses, and its reports open files.
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-constexpr bool kSanitized = true;
-#elif defined(__has_feature)
-#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
-constexpr bool kSanitized = true;
-#else
-constexpr bool kSanitized = false;
-#endif
-#else
-constexpr bool kSanitized = false;
-#endif
-
-void limit(int resource, rlim_t most) {
-    const rlimit both{most, most};
-    setrlimit(static_cast<__rlimit_resource_t>(resource), &both);
-}
-
-// What computing takes: memory, threads, the stream and an end. Everything else is refused as not permitted.
-void allow_computing_only() {
-    scmp_filter_ctx filter = seccomp_init(SCMP_ACT_ERRNO(EPERM));
-    if (!filter) return;
-    for (const int call : {SCMP_SYS(read),
-                           SCMP_SYS(write),
-                           SCMP_SYS(recvfrom),
-                           SCMP_SYS(sendto),
-                           SCMP_SYS(poll),
-                           SCMP_SYS(ppoll),
-                           SCMP_SYS(close),
-                           SCMP_SYS(brk),
-                           SCMP_SYS(mmap),
-                           SCMP_SYS(munmap),
-                           SCMP_SYS(mremap),
-                           SCMP_SYS(mprotect),
-                           SCMP_SYS(madvise),
-                           SCMP_SYS(futex),
-                           SCMP_SYS(sched_yield),
-                           SCMP_SYS(set_robust_list),
-                           SCMP_SYS(rseq),
-                           SCMP_SYS(set_tid_address),
-                           SCMP_SYS(gettid),
-                           SCMP_SYS(getpid),
-                           SCMP_SYS(tgkill),
-                           SCMP_SYS(rt_sigaction),
-                           SCMP_SYS(rt_sigprocmask),
-                           SCMP_SYS(rt_sigreturn),
-                           SCMP_SYS(sigaltstack),
-                           SCMP_SYS(restart_syscall),
-                           SCMP_SYS(clock_gettime),
-                           SCMP_SYS(clock_nanosleep),
-                           SCMP_SYS(gettimeofday),
-                           SCMP_SYS(getrandom),
-                           SCMP_SYS(sched_getaffinity),
-                           SCMP_SYS(sysinfo),
-                           SCMP_SYS(fstat),
-                           SCMP_SYS(newfstatat),
-                           SCMP_SYS(exit),
-                           SCMP_SYS(exit_group)})
-        seccomp_rule_add(filter, SCMP_ACT_ALLOW, call, 0);
-    // Threads, but no processes. The flags of clone3() cannot be looked at: the library then takes clone().
-    seccomp_rule_add(filter, SCMP_ACT_ALLOW, SCMP_SYS(clone), 1,
-                     SCMP_A0(SCMP_CMP_MASKED_EQ, CLONE_THREAD, CLONE_THREAD));
-    seccomp_rule_add(filter, SCMP_ACT_ERRNO(ENOSYS), SCMP_SYS(clone3), 0);
-    seccomp_load(filter); // where the kernel has none, the limits of files and memory still hold
-    seccomp_release(filter);
-}
 
 } // namespace
 
@@ -101,8 +21,7 @@ bool HelperStream::send(Bytes bytes) {
     }
     if (!flush()) return false;
     while (!bytes.empty()) {
-        const ssize_t sent = ::send(descriptor_, bytes.data(), bytes.size(), MSG_NOSIGNAL);
-        if (sent < 0 && errno == EINTR) continue;
+        const std::ptrdiff_t sent = write_to_helper(descriptor_, bytes);
         if (sent <= 0) return false;
         bytes = bytes.subspan(static_cast<std::size_t>(sent));
     }
@@ -112,8 +31,7 @@ bool HelperStream::send(Bytes bytes) {
 bool HelperStream::flush() {
     Bytes left = out_;
     while (!left.empty()) {
-        const ssize_t sent = ::send(descriptor_, left.data(), left.size(), MSG_NOSIGNAL);
-        if (sent < 0 && errno == EINTR) continue;
+        const std::ptrdiff_t sent = write_to_helper(descriptor_, left);
         if (sent <= 0) return false;
         left = left.subspan(static_cast<std::size_t>(sent));
     }
@@ -133,13 +51,7 @@ bool HelperStream::receive(std::span<std::uint8_t> bytes) {
         }
         const bool large = bytes.size() >= kGathered;
         if (!large) in_.resize(kGathered);
-        const ssize_t got =
-            ::recv(descriptor_, large ? bytes.data() : in_.data(), large ? bytes.size() : in_.size(), 0);
-        if (got < 0 && errno == EINTR) {
-            in_.clear();
-            in_at_ = 0;
-            continue;
-        }
+        const std::ptrdiff_t got = read_of_helper(descriptor_, large ? bytes : std::span<std::uint8_t>(in_));
         in_at_ = 0;
         in_.resize(large || got <= 0 ? 0 : static_cast<std::size_t>(got));
         if (got <= 0) return false;
@@ -149,39 +61,7 @@ bool HelperStream::receive(std::span<std::uint8_t> bytes) {
 }
 
 bool HelperStream::wait(int wait_ms) {
-    if (in_at_ < in_.size()) return true;
-    pollfd one{descriptor_, POLLIN, 0};
-    return ::poll(&one, 1, wait_ms) > 0;
-}
-
-Result<HelperProcess> HelperProcess::start(const std::string& command) {
-    std::array<int, 2> ends{};
-    if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0)
-        return Error{std::string("cannot start a helper: ") + std::strerror(errno), ""};
-    posix_spawn_file_actions_t actions;
-    posix_spawn_file_actions_init(&actions);
-    posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
-    posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
-    posix_spawn_file_actions_adddup2(&actions, ends[1], kHelperDescriptor);
-    // Ctrl+C on a terminal is for the program, which then ends its helper.
-    posix_spawnattr_t attributes;
-    posix_spawnattr_init(&attributes);
-    posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGMASK);
-    sigset_t none;
-    sigemptyset(&none);
-    posix_spawnattr_setsigmask(&attributes, &none);
-    std::string name = "ghostlight", argument = command;
-    char* arguments[] = {name.data(), argument.data(), nullptr};
-    pid_t process = 0;
-    const int fault = ::posix_spawn(&process, "/proc/self/exe", &actions, &attributes, arguments, environ);
-    posix_spawnattr_destroy(&attributes);
-    posix_spawn_file_actions_destroy(&actions);
-    ::close(ends[1]);
-    if (fault != 0) {
-        ::close(ends[0]);
-        return Error{std::string("cannot start a helper: ") + std::strerror(fault), ""};
-    }
-    return HelperProcess(process, ends[0]);
+    return in_at_ < in_.size() || wait_for_helper(descriptor_, wait_ms);
 }
 
 HelperProcess::HelperProcess(HelperProcess&& other) noexcept
@@ -190,39 +70,6 @@ HelperProcess::HelperProcess(HelperProcess&& other) noexcept
 
 HelperProcess::~HelperProcess() {
     end();
-}
-
-double HelperProcess::cpu_s() const {
-    clockid_t clock{};
-    timespec time{};
-    if (clock_getcpuclockid(process_, &clock) != 0 || clock_gettime(clock, &time) != 0) return 0.0;
-    return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
-}
-
-std::string HelperProcess::end() {
-    if (process_ == 0) return "";
-    ::close(descriptor_);
-    int status = 0;
-    // One that ended by itself keeps its own reason: until it is waited for, this signal changes nothing.
-    ::kill(process_, SIGKILL);
-    while (::waitpid(process_, &status, 0) < 0 && errno == EINTR) {
-    }
-    process_ = 0;
-    return WIFSIGNALED(status) ? "signal " + std::to_string(WTERMSIG(status))
-                               : "exit code " + std::to_string(WEXITSTATUS(status));
-}
-
-HelperStream confine_helper(std::size_t memory_bytes, std::uint64_t cpu_s) {
-    close_range(kHelperDescriptor + 1, ~0u, 0);
-    limit(RLIMIT_CORE, 0);
-    limit(RLIMIT_FSIZE, 0);
-    limit(RLIMIT_CPU, cpu_s);
-    if (!kSanitized) {
-        limit(RLIMIT_AS, memory_bytes);
-        limit(RLIMIT_NOFILE, kHelperDescriptor + 1);
-        allow_computing_only();
-    }
-    return HelperStream(kHelperDescriptor);
 }
 
 } // namespace ghost

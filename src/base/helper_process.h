@@ -3,7 +3,8 @@
 // This program, started once more for work that may end it: parsers of other people's that read what
 // strangers send. The two speak over one stream of bytes. The helper has none of our open files, and once it
 // is confined it can open nothing, reach no network, start nothing and take no more memory than it was given.
-// One thread at a time per object.
+// On Windows it starts nothing, takes no more memory and changes none of the user's files, but what everybody
+// may read it can open, and the network is not closed to it. One thread at a time per object.
 
 #include "base/byte_reader.h"
 #include "base/result.h"

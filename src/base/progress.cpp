@@ -2,11 +2,11 @@
 #include "base/progress.h"
 
 #include "base/print.h"
+#include "base/private/terminal.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <unistd.h>
 #include <utility>
 
 namespace ghost {
@@ -42,7 +42,7 @@ std::string progress_line(const std::string& label, double share, double elapsed
 }
 
 Progress::Style Progress::style_for_stderr() {
-    return ::isatty(STDERR_FILENO) != 0 ? Style::bar : Style::lines;
+    return stderr_is_terminal() ? Style::bar : Style::lines;
 }
 
 void Progress::set_lines_every(double seconds) {

@@ -7,11 +7,6 @@ namespace ghost {
 
 namespace fs = std::filesystem;
 
-fs::path own_program() {
-    std::error_code code;
-    return starter_of(fs::read_symlink("/proc/self/exe", code));
-}
-
 fs::path starter_of(const fs::path& program) {
     if (program.parent_path().filename() != "libexec") return program;
     fs::path launcher = program.parent_path().parent_path() / "bin" / program.filename();

@@ -16,6 +16,9 @@ enum class Writer {
 };
 Writer writer_of(const std::filesystem::path& path);
 
+int own_process();            // its number
+bool is_running(int process); // of this machine
+
 std::string host_name(); // of this machine; "": the system does not say
 
 } // namespace ghost

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "disk/user_cache.h"
 
+#include "disk/private/system_files.h"
+
 #include <cstdint>
 #include <cstdio>
-#include <cstdlib>
 #include <string>
-#include <unistd.h>
 
 namespace ghost {
 namespace fs = std::filesystem;
@@ -19,37 +19,24 @@ std::string hash_of(const std::string& text) { // FNV-1a
     return digits;
 }
 
-// Relative paths mean nothing there, says the XDG specification.
-fs::path absolute_in(const char* variable) {
-    const char* const value = std::getenv(variable);
-    const fs::path path = value != nullptr ? value : "";
-    return path.is_absolute() ? path : fs::path();
-}
-
-// Else this one of the user's folder; empty: neither is set.
-fs::path absolute_or(const char* variable, const char* in_home) {
-    const fs::path path = absolute_in(variable), home = absolute_in("HOME");
-    return !path.empty() || home.empty() ? path : home / in_home;
-}
-
 } // namespace
 
 fs::path user_cache_for(const fs::path& folder) {
     std::error_code code;
     const fs::path place = folder.empty() ? fs::path(".") : folder;
     if (!fs::is_directory(place, code) || fs::exists(fs::symlink_status(place / ".ghost", code)) ||
-        ::access(place.c_str(), W_OK | X_OK) == 0)
+        may_write_in(place))
         return {};
-    const fs::path cache = absolute_or("XDG_CACHE_HOME", ".cache");
+    const fs::path cache = cache_of_user();
     if (cache.empty()) return {};
     fs::create_directories(cache, code);
     const fs::path whole = fs::canonical(place, code);
-    if (code || ::access(cache.c_str(), W_OK | X_OK) != 0) return {};
+    if (code || !may_write_in(cache)) return {};
     return cache / "ghostlight" / hash_of(whole.string());
 }
 
 fs::path user_state() {
-    const fs::path state = absolute_or("XDG_STATE_HOME", ".local/state");
+    const fs::path state = state_of_user();
     return state.empty() ? state : state / "ghostlight";
 }
 

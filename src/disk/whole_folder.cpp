@@ -3,6 +3,7 @@
 
 #include "disk/crc32.h"
 #include "disk/files.h"
+#include "disk/links.h"
 #include "disk/temporary.h"
 
 #include <algorithm>
@@ -36,10 +37,10 @@ void remove_leftovers_of(const fs::path& folder) {
     std::vector<fs::path> left;
     for (fs::directory_iterator entry(folder.parent_path(), code), end; !code && entry != end;
          entry.increment(code))
-        if (entry->path().filename().string().starts_with(start) && !entry->is_symlink(code) &&
+        if (entry->path().filename().string().starts_with(start) && !is_link(entry->path()) &&
             writer_of(entry->path()) == Writer::gone)
             left.push_back(entry->path());
-    for (const fs::path& one : left) fs::remove_all(one, code);
+    for (const fs::path& one : left) remove_whole(one);
 }
 
 // From the folder on; of folders those with nothing in them, as "old/".
@@ -49,7 +50,9 @@ Result<std::set<std::string>> files_in(const fs::path& folder) {
     for (fs::recursive_directory_iterator entry(folder, code), end; !code && entry != end;
          entry.increment(code)) {
         const std::string name = entry->path().lexically_relative(folder).generic_string();
-        if (entry->is_symlink(code) || !entry->is_directory(code))
+        const bool leads_elsewhere = is_link(entry->path());
+        if (leads_elsewhere) entry.disable_recursion_pending();
+        if (leads_elsewhere || !entry->is_directory(code))
             files.insert(name);
         else if (fs::is_empty(entry->path(), code))
             files.insert(name + "/");
@@ -61,7 +64,7 @@ Result<std::set<std::string>> files_in(const fs::path& folder) {
 
 // Nothing: no file, or one that cannot be read.
 std::optional<std::uint32_t> sum_of(const fs::path& file) {
-    if (!fs::is_regular_file(fs::symlink_status(file))) return std::nullopt;
+    if (is_link(file) || !fs::is_regular_file(fs::symlink_status(file))) return std::nullopt;
     std::ifstream stream(file, std::ios::binary);
     std::vector<std::uint8_t> part(std::size_t{1} << 16);
     std::uint32_t sum = 0;
@@ -97,7 +100,7 @@ std::map<std::string, std::optional<std::uint32_t>> files_of_list(std::string_vi
 
 // Error: it is not all ours. folder: where it lies now; place: as people know it.
 Result<void> check_ours(const fs::path& folder, const fs::path& place, const std::string& kind) {
-    if (!fs::is_directory(fs::symlink_status(folder)))
+    if (is_link(folder) || !fs::is_directory(fs::symlink_status(folder)))
         return Error{"is there and is no folder: it is not replaced", place.string()};
     TRY(const std::set<std::string> files, files_in(folder));
     std::error_code code;
@@ -154,8 +157,7 @@ WholeFolder::WholeFolder(WholeFolder&& other) noexcept
       kind_(std::move(other.kind_)) {}
 
 WholeFolder::~WholeFolder() {
-    std::error_code code;
-    if (!temporary_.empty()) fs::remove_all(temporary_, code);
+    if (!temporary_.empty()) remove_whole(temporary_);
 }
 
 Result<void> WholeFolder::make_folder(const std::string& name) const {
@@ -197,7 +199,7 @@ Result<void> WholeFolder::commit() {
         return ours.error();
     }
     temporary_.clear();
-    if (!before.empty()) fs::remove_all(before, code);
+    if (!before.empty()) remove_whole(before);
     return {};
 }
 

@@ -137,7 +137,7 @@ Result<void> check_empty(const Imath::Box2i& display, const Imath::Box2i& data, 
 // Throws what OpenEXR throws.
 Result<ExrFile> read_unguarded(const std::filesystem::path& path) {
     TRY_VOID(check_exr_attributes(path));
-    Imf::InputFile input(path.c_str());
+    Imf::InputFile input(path.string().c_str());
     const Imf::Header& header = input.header();
     const Imath::Box2i data = header.dataWindow();
     const Imath::Box2i display = header.displayWindow();

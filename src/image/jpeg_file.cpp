@@ -34,8 +34,9 @@ Result<Header> read_header(const Decoder& decoder, Bytes bytes) {
     Header header;
     int subsampling = 0;
     if (!decoder) return unreadable(decoder);
-    const int status = tjDecompressHeader3(decoder.get(), bytes.data(), bytes.size(), &header.size.width,
-                                           &header.size.height, &subsampling, &header.colours);
+    const int status =
+        tjDecompressHeader3(decoder.get(), bytes.data(), static_cast<unsigned long>(bytes.size()),
+                            &header.size.width, &header.size.height, &subsampling, &header.colours);
     // It also complains of subsampling that has no name there, and of nothing worse; decoding copes with it.
     if (status != 0 && (header.size.width < 1 || header.size.height < 1 || header.colours < 0))
         return unreadable(decoder);
@@ -86,9 +87,9 @@ Result<Image8> decode_jpeg(Bytes bytes, std::string& damage) {
     TRY(const Header header, read_header(decoder, bytes));
     const bool is_cmyk = header.colours == TJCS_CMYK || header.colours == TJCS_YCCK;
     Image8 image(header.size.width, header.size.height, 4);
-    const int status =
-        tjDecompress2(decoder.get(), bytes.data(), bytes.size(), image.samples.data(), image.width, 0,
-                      image.height, is_cmyk ? TJPF_CMYK : TJPF_RGBA, TJFLAG_LIMITSCANS);
+    const int status = tjDecompress2(decoder.get(), bytes.data(), static_cast<unsigned long>(bytes.size()),
+                                     image.samples.data(), image.width, 0, image.height,
+                                     is_cmyk ? TJPF_CMYK : TJPF_RGBA, TJFLAG_LIMITSCANS);
     if (status != 0 && tjGetErrorCode(decoder.get()) != TJERR_WARNING) return unreadable(decoder);
     if (status != 0) damage = tjGetErrorStr2(decoder.get());
     if (is_cmyk) rgb_from_cmyk(image);

@@ -62,7 +62,7 @@ public:
 
     Result<void> open() {
         int code = 0;
-        handle_ = zip_open(path_.c_str(), ZIP_CREATE | ZIP_TRUNCATE, &code);
+        handle_ = zip_open(path_.string().c_str(), ZIP_CREATE | ZIP_TRUNCATE, &code);
         if (handle_) return {};
         zip_error_t error;
         zip_error_init_with_code(&error, code);

@@ -31,10 +31,12 @@ public:
     int handle() const { return handle_; } // to wait for, together with sockets
 
 private:
-    explicit SerialPort(int handle) : handle_(handle), buffer_(4096) {}
+    struct Overlapped; // what Windows has on its way; elsewhere nothing
+    explicit SerialPort(int handle);
 
     int handle_;
     std::vector<std::uint8_t> buffer_;
+    std::unique_ptr<Overlapped> overlapped_;
 };
 
 // Where Linux names serial ports by what is plugged in.

@@ -68,6 +68,7 @@ private:
 
     int handle_;
     std::uint16_t port_;
+    std::string interface_; // where the system does not hold to it by itself
 };
 
 // Ends a wait_for_streams() of another thread.

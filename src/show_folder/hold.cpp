@@ -3,18 +3,12 @@
 
 #include "disk/files.h"
 #include "disk/temporary.h"
+#include "show_folder/private/hold_text.h"
 
 #include <array>
-#include <cerrno>
 #include <charconv>
-#include <csignal>
-#include <cstring>
 #include <ctime>
-#include <fcntl.h>
 #include <sstream>
-#include <sys/file.h>
-#include <sys/stat.h>
-#include <unistd.h>
 #include <utility>
 
 namespace ghost {
@@ -23,20 +17,15 @@ namespace {
 
 constexpr std::uintmax_t kMostBytes = 1024;
 constexpr std::size_t kShownBytes = 64;
-constexpr int kTries = 3; // where others take and give back at the same time
 
-struct Holder {
-    std::string host, since;
-    int process = 0;
-};
+} // namespace
 
-std::string text_of_ours() {
+std::string text_of_this_hold() {
     const std::time_t now = std::time(nullptr);
-    std::tm local{};
     std::array<char, 32> since{};
-    if (::localtime_r(&now, &local) != nullptr)
-        std::strftime(since.data(), since.size(), "%Y-%m-%d %H:%M", &local);
-    return host_name() + "\n" + std::to_string(::getpid()) + "\n" + since.data() + "\n";
+    std::tm local{};
+    if (local_time(now, local)) std::strftime(since.data(), since.size(), "%Y-%m-%d %H:%M", &local);
+    return host_name() + "\n" + std::to_string(own_process()) + "\n" + since.data() + "\n";
 }
 
 Holder holder_in(const fs::path& file) {
@@ -54,70 +43,7 @@ Holder holder_in(const fs::path& file) {
 
 bool is_alive(const Holder& holder) {
     if (holder.process <= 0) return false;
-    return holder.host != host_name() || ::kill(holder.process, 0) == 0 || errno == EPERM;
-}
-
-bool is_same_file(int handle, const fs::path& path) {
-    struct stat ours {
-    }, there{};
-    return ::fstat(handle, &ours) == 0 && ::lstat(path.c_str(), &there) == 0 && ours.st_ino == there.st_ino &&
-           ours.st_dev == there.st_dev;
-}
-
-enum class Lock { taken, held, unknown };
-
-Lock lock(int handle) {
-    if (::flock(handle, LOCK_EX | LOCK_NB) == 0) return Lock::taken;
-    return errno == EWOULDBLOCK ? Lock::held : Lock::unknown;
-}
-
-bool write_ours(int handle) {
-    const std::string text = text_of_ours();
-    return ::ftruncate(handle, 0) == 0 &&
-           ::pwrite(handle, text.data(), text.size(), 0) == static_cast<ssize_t>(text.size());
-}
-
-} // namespace
-
-Result<Hold> Hold::take(const fs::path& file, const fs::path& home, Other other) {
-    TRY_VOID(make_folders(file.parent_path(), home));
-    constexpr int kOpened = O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW;
-    const auto failed = [&](int handle) {
-        const Error error{"cannot be written: " + std::string(std::strerror(errno)), file.string()};
-        if (handle >= 0) ::close(handle);
-        return error;
-    };
-    Hold hold(file);
-    for (int attempt = 0; attempt < kTries; ++attempt) {
-        const int handle = ::open(file.c_str(), kOpened, 0644);
-        if (handle < 0) return failed(handle);
-        const Lock found = lock(handle);
-        const bool is_free = found == Lock::taken || (found == Lock::unknown && !is_alive(holder_in(file)));
-        if (is_free && !is_same_file(handle, file)) { // given back in between
-            ::close(handle);
-            continue;
-        }
-        if (is_free) {
-            if (!write_ours(handle)) return failed(handle);
-            hold.handle_ = handle;
-            return hold;
-        }
-        ::close(handle);
-        if (other == Other::keeps) return hold;
-        // Another file takes the place of theirs, which they see.
-        const fs::path temporary = temporary_beside(file);
-        const int ours = ::open(temporary.c_str(), kOpened | O_EXCL, 0644);
-        if (ours < 0) return failed(ours);
-        lock(ours);
-        if (!write_ours(ours) || ::rename(temporary.c_str(), file.c_str()) != 0) {
-            const Error error = failed(ours);
-            ::unlink(temporary.c_str());
-            return error;
-        }
-        hold.handle_ = ours;
-        return hold;
-    }
-    return hold;
+    return holder.host != host_name() || is_running(holder.process);
 }
 
 Hold::Hold(Hold&& other) noexcept
@@ -127,18 +53,6 @@ Hold& Hold::operator=(Hold&& other) noexcept {
     std::swap(file_, other.file_);
     std::swap(handle_, other.handle_);
     return *this;
-}
-
-Hold::~Hold() {
-    if (handle_ < 0) return;
-    if (is_same_file(handle_, file_)) ::unlink(file_.c_str());
-    ::close(handle_);
-}
-
-bool Hold::is_ours() const {
-    std::error_code code;
-    // Who clears .ghost takes nothing over.
-    return handle_ >= 0 && (is_same_file(handle_, file_) || !fs::exists(file_, code));
 }
 
 std::string Hold::holder() const {

@@ -312,9 +312,11 @@ TEST(mvr_load, from_a_file_on_demand) {
     const auto film = loaded->archive.read("film.mov");
     ASSERT_TRUE(film.ok());
     EXPECT_EQ(std::string(film->begin(), film->end()), "film");
+#if !defined(_WIN32) // where a name goes with the last who has the file open
     const auto gone = load_mvr(path);
     ASSERT_FALSE(gone.ok());
     EXPECT_NE(gone.error().text().find("no such file"), std::string::npos);
+#endif
 }
 
 #undef EXPECT_PLACE

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A folder of its own for a test, which goes with it.
 #include <filesystem>
-#include <stdlib.h>
+#include <random>
 #include <string>
 
 namespace ghost {
@@ -10,8 +10,10 @@ namespace ghost {
 struct TestFolder {
     std::filesystem::path path;
     TestFolder() {
-        std::string name = (std::filesystem::temp_directory_path() / "ghost_test_XXXXXX").string();
-        path = mkdtemp(name.data());
+        do
+            path = std::filesystem::temp_directory_path() /
+                   ("ghost_test_" + std::to_string(std::random_device{}()));
+        while (!std::filesystem::create_directory(path));
     }
     ~TestFolder() {
         std::error_code code;

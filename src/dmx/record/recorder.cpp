@@ -38,7 +38,7 @@ fs::path free_name(const fs::path& path) {
 
 // Opens for writing what no other program writes; locked until it is closed.
 Result<std::FILE*> open_part(const fs::path& part) {
-    std::FILE* const file = std::fopen(part.c_str(), "ab");
+    std::FILE* const file = open_stream(part, "ab");
     if (!file) return cannot_write(part);
     if (lock_file(file)) return file;
     std::fclose(file);

@@ -133,6 +133,9 @@ TEST_P(Pause, of_which_nothing_was_lost_ends_with_the_newest_look_at_once) {
 }
 
 TEST_P(Pause, that_filled_the_buffer_ends_with_what_comes_afterwards) {
+#if defined(_WIN32)
+    GTEST_SKIP() << "Windows does not tell how many packets it dropped";
+#endif
     Paused test(GetParam());
     test.stop();
     for (int i = 0; i < 40000; ++i) test.send(1, 2 + i % 200);
@@ -148,6 +151,9 @@ TEST_P(Pause, that_filled_the_buffer_ends_with_what_comes_afterwards) {
 }
 
 TEST_P(Pause, that_filled_the_buffer_shows_what_it_knows_of_a_desk_that_is_gone) {
+#if defined(_WIN32)
+    GTEST_SKIP() << "Windows does not tell how many packets it dropped";
+#endif
     Paused test(GetParam());
     test.stop();
     for (int i = 0; i < 40000; ++i) test.send(1, 77);

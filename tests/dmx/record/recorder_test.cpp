@@ -5,8 +5,10 @@
 #include "dmx/record/changes.h"
 #include "support/test_recording.h"
 
+#if !defined(_WIN32)
 #include <csignal>
 #include <sys/resource.h>
+#endif
 
 namespace ghost::dmx {
 namespace {
@@ -52,7 +54,7 @@ TEST(Changes, lost_and_back_are_changes_and_time_never_goes_back) {
 
 TEST(Recorder, the_ending_of_the_name_chooses_the_format) {
     const TestFolder folder;
-    for (const char* name : {"a.show", "a.txt", "a.SHOW", "a.ghostdmx", "a.GhostDmx"}) {
+    for (const char* name : {"a.show", "a.txt", "b.SHOW", "a.ghostdmx", "b.GhostDmx"}) {
         const fs::path path = folder.path / name;
         auto recorder = Recorder::create(path);
         ASSERT_TRUE(recorder.ok()) << recorder.error().text();
@@ -158,6 +160,7 @@ TEST(Recorder, errors_name_the_file) {
     EXPECT_FALSE(read_recording(folder.path / long_name).ok());
 }
 
+#if !defined(_WIN32) // which has no limit for the size of a file
 TEST(Recorder, a_full_disk_is_an_error_and_what_was_written_stays) {
     const TestFolder folder;
     for (const char* name : {"a.show", "a.ghostdmx"}) {
@@ -181,6 +184,7 @@ TEST(Recorder, a_full_disk_is_an_error_and_what_was_written_stays) {
         EXPECT_EQ(part.frames.size(), 1u);
     }
 }
+#endif
 
 } // namespace
 } // namespace ghost::dmx

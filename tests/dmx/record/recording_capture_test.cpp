@@ -363,7 +363,7 @@ protected:
     static ByteList packed(const ByteList& bytes, int level = 6) {
         z_stream stream{};
         EXPECT_EQ(deflateInit2(&stream, level, Z_DEFLATED, 16 + MAX_WBITS, 8, Z_DEFAULT_STRATEGY), Z_OK);
-        ByteList out(deflateBound(&stream, bytes.size()) + 64);
+        ByteList out(deflateBound(&stream, static_cast<uLong>(bytes.size())) + 64);
         stream.next_in = const_cast<Bytef*>(bytes.data());
         stream.avail_in = static_cast<uInt>(bytes.size());
         stream.next_out = out.data();

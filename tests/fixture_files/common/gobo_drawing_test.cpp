@@ -154,7 +154,7 @@ TEST(gobo_drawing, all_installed_drawings) {
         const double passed = light / disc;
         if (passed < 0.01 || passed > 0.97) {
             ++odd;
-            std::printf("  %s passes %.3f\n", entry.path().filename().c_str(), passed);
+            std::printf("  %s passes %.3f\n", entry.path().filename().string().c_str(), passed);
         }
     }
     std::printf("  %d drawings, %d of them nearly dark or nearly open\n", drawings, odd);

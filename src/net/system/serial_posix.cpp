@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "net/serial.h"
 
-#include <algorithm>
-#include <cctype>
 #include <cerrno>
 #include <cstring>
 
@@ -17,7 +15,6 @@ namespace ghost::dmx {
 
 namespace {
 
-constexpr std::size_t kMostPorts = 64;
 constexpr int kMostInterrupts = 8;
 
 std::string why_not_opened() {
@@ -29,6 +26,10 @@ std::string why_not_opened() {
 }
 
 } // namespace
+
+struct SerialPort::Overlapped {};
+
+SerialPort::SerialPort(int handle) : handle_(handle), buffer_(4096) {}
 
 Result<std::unique_ptr<SerialPort>> SerialPort::open(const std::string& path) {
     const int handle = ::open(path.c_str(), O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC);
@@ -100,22 +101,6 @@ bool SerialPort::send(Bytes bytes) {
         if (count < 0 && errno != EINTR) return false;
     }
     return bytes.empty();
-}
-
-std::vector<std::string> list_usb_pro_ports(const std::filesystem::path& folder) {
-    std::vector<std::string> result;
-    std::error_code code;
-    for (std::filesystem::directory_iterator entry(folder, code), end; !code && entry != end;
-         entry.increment(code)) {
-        std::string name = entry->path().filename().string();
-        std::transform(name.begin(), name.end(), name.begin(),
-                       [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
-        if (name.find("dmx_usb_pro") == std::string::npos) continue;
-        result.push_back(entry->path().string());
-        if (result.size() == kMostPorts) break;
-    }
-    std::sort(result.begin(), result.end());
-    return result;
 }
 
 } // namespace ghost::dmx

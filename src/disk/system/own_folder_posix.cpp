@@ -72,8 +72,12 @@ OwnFolder::Entries OwnFolder::entries() const {
             continue;
         if (S_ISDIR(entry.st_mode)) result.folders.push_back(name);
         if (!S_ISREG(entry.st_mode)) continue;
-        const auto since =
-            std::chrono::seconds(entry.st_mtim.tv_sec) + std::chrono::nanoseconds(entry.st_mtim.tv_nsec);
+#if defined(__APPLE__)
+        const timespec written = entry.st_mtimespec;
+#else
+        const timespec written = entry.st_mtim;
+#endif
+        const auto since = std::chrono::seconds(written.tv_sec) + std::chrono::nanoseconds(written.tv_nsec);
         result.files.push_back(
             {name, std::chrono::system_clock::time_point(
                        std::chrono::duration_cast<std::chrono::system_clock::duration>(since))});

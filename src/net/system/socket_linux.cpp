@@ -4,7 +4,7 @@
 // bound last gets unicast, unless one is bound to the very address. IPv6 has the same rules but the first.
 #include "net/socket.h"
 
-#include "net/port_users.h"
+#include "net/private/ports.h"
 
 #include <algorithm>
 #include <array>
@@ -74,11 +74,6 @@ bool set_int(int handle, int level, int option, int value) {
 
 } // namespace
 
-bool is_on_link(const NetInterface& interface, const IpAddress& from) {
-    if (!from.is_ipv4()) return from.bytes[0] == 0xFE && (from.bytes[1] & 0xC0) == 0x80; // fe80::/10
-    return interface.address != 0 && ((from.ipv4() ^ interface.address) & interface.netmask) == 0;
-}
-
 std::vector<NetInterface> list_interfaces() {
     std::vector<NetInterface> result;
     std::map<std::string, NetInterface> ipv6, bare; // by name; bare: all, for some have no address
@@ -115,51 +110,6 @@ std::vector<NetInterface> list_interfaces() {
     return result;
 }
 
-Result<NetInterface> find_interface(const std::string& name_or_address) {
-    const std::vector<NetInterface> all = list_interfaces();
-    const Result<std::uint32_t> address = parse_ipv4(name_or_address);
-    std::string names;
-    for (const NetInterface& interface : all) {
-        if (interface.name == name_or_address ||
-            (address.ok() && *address != 0 && interface.address == *address))
-            return interface;
-        names += (names.empty() ? "" : ", ") + interface.name + " (" +
-                 (interface.address ? ipv4_text(interface.address)
-                  : interface.ipv6  ? "IPv6"
-                                    : "no address") +
-                 ")";
-    }
-    for (NetInterface interface : all) {
-        if (!address.ok() || !interface.loopback) continue;
-        if (((interface.address ^ *address) & interface.netmask) != 0) continue;
-        interface.address = *address;
-        return interface;
-    }
-    return Error{"no network interface '" + name_or_address +
-                     "', expected one of: " + (names.empty() ? "none is up" : names),
-                 "--interface"};
-}
-
-Result<std::uint32_t> parse_ipv4(const std::string& text) {
-    in_addr address{};
-    if (inet_pton(AF_INET, text.c_str(), &address) != 1)
-        return Error{"'" + text + "' is no IPv4 address, expected four numbers like 192.168.1.20", ""};
-    return ntohl(address.s_addr);
-}
-
-Result<IpAddress> parse_address(const std::string& text) {
-    in6_addr address{};
-    if (inet_pton(AF_INET6, text.c_str(), &address) == 1) return address_of(address);
-    const auto ipv4 = parse_ipv4(text);
-    if (ipv4.ok()) return IpAddress(*ipv4);
-    return Error{"'" + text + "' is no IP address, expected one like 192.168.1.20 or fe80::1", ""};
-}
-
-std::string ipv4_text(std::uint32_t address) {
-    return std::to_string(address >> 24) + "." + std::to_string((address >> 16) & 255) + "." +
-           std::to_string((address >> 8) & 255) + "." + std::to_string(address & 255);
-}
-
 struct UdpSocket::Batch {
     std::array<std::array<std::uint8_t, kDatagramBytes>, kBatch> bytes;
     std::array<std::array<std::uint8_t, 128>, kBatch> control;
@@ -176,27 +126,11 @@ UdpSocket::~UdpSocket() {
     close(handle_);
 }
 
-Result<std::unique_ptr<UdpSocket>> UdpSocket::open(std::uint32_t address, std::uint16_t port,
-                                                   int receive_buffer_bytes) {
-    return open_bound(IpVersion::v4, address, port, receive_buffer_bytes);
-}
-
-Result<std::unique_ptr<UdpSocket>> UdpSocket::open_if_free(std::uint16_t port, int receive_buffer_bytes) {
-    return open_bound(IpVersion::v4, 0, port, receive_buffer_bytes, false);
-}
-
-Result<std::unique_ptr<UdpSocket>> UdpSocket::open_ipv6(std::uint16_t port, int receive_buffer_bytes) {
-    return open_bound(IpVersion::v6, 0, port, receive_buffer_bytes);
-}
-
 Result<std::unique_ptr<UdpSocket>> UdpSocket::open_bound(IpVersion version, std::uint32_t address,
                                                          std::uint16_t port, int receive_buffer_bytes,
                                                          bool shared) {
     const bool v6 = version == IpVersion::v6;
-    const std::string place = "UDP port " + std::to_string(port) +
-                              (v6        ? " of IPv6"
-                               : address ? " of " + ipv4_text(address)
-                                         : "");
+    const std::string place = port_place(version, address, port);
     const int handle = ::socket(v6 ? AF_INET6 : AF_INET, SOCK_DGRAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0);
     if (handle < 0) return Error{"cannot open a socket: " + reason(), place};
     std::unique_ptr<UdpSocket> result(new UdpSocket(handle, version));
@@ -217,13 +151,7 @@ Result<std::unique_ptr<UdpSocket>> UdpSocket::open_bound(IpVersion version, std:
     const bool bound = v6 ? bind(handle, reinterpret_cast<const sockaddr*>(&name6), sizeof name6) == 0
                           : bind(handle, reinterpret_cast<const sockaddr*>(&name), sizeof name) == 0;
     if (!bound) {
-        if (errno == EADDRINUSE) {
-            const std::vector<PortUser> users = port_users(std::array{port});
-            const std::string who =
-                users.empty() ? std::string("another program") : program_text(users.front());
-            return Error{"the port is taken by " + who + ", which does not share it; close it and try again",
-                         place};
-        }
+        if (errno == EADDRINUSE) return port_taken(port, place);
         return Error{"cannot listen: " + reason(), place};
     }
     if (!shared) (void)set_int(handle, SOL_SOCKET, SO_REUSEADDR, 1);
