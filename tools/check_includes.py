@@ -64,6 +64,8 @@ PLATFORM_FILES = {
     "src/disk/system/user_folders_linux.cpp": "may this user write there",
     "src/disk/system/user_folders_mac.cpp": "may this user write there",
     "src/disk/system/user_folders_windows.cpp": "may this user write there, known folders",
+    "src/disk/system/own_program_mac.cpp": "the file that runs",
+    "src/disk/system/own_program_windows.cpp": "the file that runs",
     "src/show_folder/system/hold_posix.cpp": "file locks",
     "src/show_folder/system/hold_windows.cpp": "file locks",
     "src/base/system/helper_process_linux.cpp": "another process, a pair of sockets to it, its limits",
