@@ -11,6 +11,8 @@
 
 namespace ghost {
 
+inline constexpr int kHelperDescriptor = 3; // in the helper, after the three that every process has
+
 // How many bytes went, at least one; 0 and less: the other end is gone.
 std::ptrdiff_t write_to_helper(int descriptor, Bytes bytes);
 std::ptrdiff_t read_of_helper(int descriptor, std::span<std::uint8_t> bytes);

@@ -22,8 +22,6 @@
 namespace ghost {
 namespace {
 
-constexpr int kHelperDescriptor = 3; // in the helper, after the three that every process has
-
 // What instrumented code reserves has nothing to do with what it uses, and its reports open files.
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 constexpr bool kSanitized = true;

@@ -28,8 +28,6 @@ extern char** environ;
 namespace ghost {
 namespace {
 
-constexpr int kHelperDescriptor = 3; // in the helper, after the three that every process has
-
 void limit(int resource, rlim_t most) {
     const rlimit both{most, most};
     setrlimit(resource, &both);

@@ -94,8 +94,8 @@ bool remove_in(int folder, const std::string& name, ULONG kind) {
     struct {
         ULONG flags = 0x1 | 0x2 | 0x10; // delete, POSIX semantics, also what is read-only
     } now;
-    constexpr auto kNow = static_cast<FILE_INFO_BY_HANDLE_CLASS>(21); // FileDispositionInfoEx
-    if (::SetFileInformationByHandle(entry.handle, kNow, &now, sizeof now)) return true;
+    constexpr auto kDeleteNow = static_cast<FILE_INFO_BY_HANDLE_CLASS>(21); // FileDispositionInfoEx
+    if (::SetFileInformationByHandle(entry.handle, kDeleteNow, &now, sizeof now)) return true;
     FILE_DISPOSITION_INFO later{};
     later.DeleteFile = TRUE;
     return ::SetFileInformationByHandle(entry.handle, FileDispositionInfo, &later, sizeof later) != 0;

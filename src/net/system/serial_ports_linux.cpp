@@ -1,16 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "net/serial.h"
 
+#include "net/private/system_sizes.h"
+
 #include <algorithm>
 #include <cctype>
 
 namespace ghost::dmx {
 
-namespace {
-
-constexpr std::size_t kMostPorts = 64;
-
-} // namespace
+namespace {} // namespace
 
 std::vector<std::string> list_usb_pro_ports(const std::filesystem::path& folder) {
     std::vector<std::string> result;

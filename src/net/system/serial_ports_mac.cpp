@@ -2,16 +2,14 @@
 // Compiled nowhere so far: no compiler for macOS was at hand.
 #include "net/serial.h"
 
+#include "net/private/system_sizes.h"
+
 #include <algorithm>
 #include <cctype>
 
 namespace ghost::dmx {
 
-namespace {
-
-constexpr std::size_t kMostPorts = 64;
-
-} // namespace
+namespace {} // namespace
 
 // Ports go by the serial number of what is plugged in there, and those of ENTTEC begin with EN.
 std::vector<std::string> list_usb_pro_ports(const std::filesystem::path& folder) {

@@ -4,6 +4,7 @@
 // read.
 #include "net/serial.h"
 
+#include "net/private/system_sizes.h"
 #include "net/private/winsock.h"
 
 #include <algorithm>
@@ -14,7 +15,6 @@ namespace ghost::dmx {
 
 namespace {
 
-constexpr std::size_t kMostPorts = 64;
 constexpr DWORD kSend_ms = 50; // for what a driver does not take at once
 
 // DEVPKEY_Device_BusReportedDeviceDesc: what a device calls itself, where its driver says "USB Serial Port".

@@ -5,6 +5,7 @@
 #include "net/socket.h"
 
 #include "net/private/ports.h"
+#include "net/private/system_sizes.h"
 
 #include <algorithm>
 #include <array>
@@ -27,9 +28,6 @@
 namespace ghost::dmx {
 
 namespace {
-
-constexpr std::size_t kBatch = 64;
-constexpr std::size_t kDatagramBytes = 1536; // more than any level packet; the rest of a longer one is cut
 
 sockaddr_in6 socket_address6(const IpAddress& ipv6, std::uint16_t port) {
     sockaddr_in6 address{};

@@ -5,6 +5,7 @@
 // address gets the groups that others joined, too: what it is not in is left out here. How many packets were
 // dropped the system does not tell a socket.
 #include "net/private/ports.h"
+#include "net/private/system_sizes.h"
 #include "net/socket.h"
 
 #define __APPLE_USE_RFC_3542 // for IPV6_PKTINFO, before the system's header
@@ -33,9 +34,6 @@
 namespace ghost::dmx {
 
 namespace {
-
-constexpr std::size_t kBatch = 64;
-constexpr std::size_t kDatagramBytes = 1536; // more than any level packet; the rest of a longer one is cut
 
 sockaddr_in6 socket_address6(const IpAddress& ipv6, std::uint16_t port) {
     sockaddr_in6 address{};

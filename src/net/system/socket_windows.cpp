@@ -5,6 +5,7 @@
 // (SIO_UDP_CONNRESET). Packets of groups that others joined are left out here, whether the system hands them
 // on (Wine) or not. Windows tells neither when a packet came nor how many it dropped.
 #include "net/private/ports.h"
+#include "net/private/system_sizes.h"
 #include "net/private/winsock.h"
 #include "net/socket.h"
 
@@ -22,8 +23,6 @@ namespace ghost::dmx {
 
 namespace {
 
-constexpr std::size_t kBatch = 64;
-constexpr std::size_t kDatagramBytes = 1536; // more than any level packet; the rest of a longer one is cut
 constexpr std::chrono::seconds kListEvery{2};
 
 sockaddr_in6 socket_address6(const IpAddress& ipv6, std::uint16_t port) {

@@ -2,6 +2,8 @@
 // Compiled nowhere so far: no compiler for macOS was at hand.
 #include "net/tcp.h"
 
+#include "net/private/system_sizes.h"
+
 #include "net/socket.h"
 
 #include <array>
@@ -21,11 +23,6 @@
 namespace ghost::dmx {
 
 namespace {
-
-constexpr std::size_t kReadBytes = 64u << 10;
-// Connections that nobody has accepted yet: twenty browsers open 120 at once, and who finds no place tries
-// again a second later, behind others.
-constexpr int kWaiting = 256;
 
 // IPv4 addresses as mapped ones: one kind of socket for both.
 sockaddr_in6 name_of(const IpAddress& address, std::uint16_t port, unsigned interface_index = 0) {

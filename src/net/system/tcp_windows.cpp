@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Windows binds no socket to an interface alone. But it takes a connection only by the interface that has the
 // address that is called (the "strong host" of RFC 1122), so what was called says by which it came.
+#include "net/private/system_sizes.h"
 #include "net/private/winsock.h"
 #include "net/socket.h"
 #include "net/tcp.h"
@@ -11,11 +12,6 @@
 namespace ghost::dmx {
 
 namespace {
-
-constexpr std::size_t kReadBytes = 64u << 10;
-// Connections that nobody has accepted yet: twenty browsers open 120 at once, and who finds no place tries
-// again a second later, behind others.
-constexpr int kWaiting = 256;
 
 // IPv4 addresses as mapped ones: one kind of socket for both.
 sockaddr_in6 name_of(const IpAddress& address, std::uint16_t port, unsigned interface_index = 0) {

@@ -8,6 +8,8 @@
 
 namespace ghost {
 
+inline constexpr int kTries = 3; // where others take and give back at the same time
+
 struct Holder {
     std::string host, since;
     int process = 0;

@@ -15,8 +15,6 @@ namespace ghost {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr int kTries = 3; // where others take and give back at the same time
-
 bool is_same_file(int handle, const fs::path& path) {
     struct stat ours {
     }, there{};

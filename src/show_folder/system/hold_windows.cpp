@@ -17,8 +17,6 @@ namespace ghost {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr int kTries = 3; // where others take and give back at the same time
-
 // Handles of the system have 32 bits that count.
 HANDLE hold_handle(int number) {
     return reinterpret_cast<HANDLE>(static_cast<INT_PTR>(number));
@@ -85,15 +83,15 @@ bool put_in_place(int handle, const fs::path& file) {
     wish->RootDirectory = nullptr;
     wish->FileNameLength = static_cast<DWORD>(name.size() * sizeof(wchar_t));
     name.copy(wish->FileName, name.size());
-    constexpr auto kNow = static_cast<FILE_INFO_BY_HANDLE_CLASS>(22); // FileRenameInfoEx
+    constexpr auto kRenameNow = static_cast<FILE_INFO_BY_HANDLE_CLASS>(22); // FileRenameInfoEx
     const auto size = static_cast<DWORD>(memory.size() * sizeof(std::max_align_t));
-    return ::SetFileInformationByHandle(hold_handle(handle), kNow, wish, size) != 0;
+    return ::SetFileInformationByHandle(hold_handle(handle), kRenameNow, wish, size) != 0;
 }
 
 void remove_open(int handle) {
-    constexpr auto kNow = static_cast<FILE_INFO_BY_HANDLE_CLASS>(21); // FileDispositionInfoEx
+    constexpr auto kRemoveNow = static_cast<FILE_INFO_BY_HANDLE_CLASS>(21); // FileDispositionInfoEx
     DWORD as_posix = 0x1 | 0x2;
-    if (::SetFileInformationByHandle(hold_handle(handle), kNow, &as_posix, sizeof as_posix)) return;
+    if (::SetFileInformationByHandle(hold_handle(handle), kRemoveNow, &as_posix, sizeof as_posix)) return;
     FILE_DISPOSITION_INFO later{};
     later.DeleteFile = TRUE;
     (void)::SetFileInformationByHandle(hold_handle(handle), FileDispositionInfo, &later, sizeof later);
