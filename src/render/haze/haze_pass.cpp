@@ -125,7 +125,18 @@ void HazePass::set_quality(const HazeQuality& quality) {
     uses_grid_ = quality.grid;
 }
 
+void HazePass::reset() {
+    forget();
+    uses_ = 0;
+    is_clean_ = false;
+}
+
 void HazePass::record(gpu::Commands& commands, const LightChunk& chunk) {
+    if (!is_clean_ && settings_.beams == Beams::gate) {
+        commands.clear(table_);
+        commands.clear(shade_);
+    }
+    is_clean_ = true;
     if (settings_.beams == Beams::gate)
         record_gate(commands, chunk);
     else

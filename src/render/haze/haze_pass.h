@@ -49,6 +49,9 @@ public:
     void set_flies(bool flies) { flies_ = flies; }
     // Shadows changed: no table holds what it did.
     void forget() { std::fill(filled_.begin(), filled_.end(), Filled{}); }
+    // As if nothing had been drawn: filtering touches texels beyond those that a fan fills, and what it finds
+    // there of an earlier one turns a pixel's last bit now and then.
+    void reset();
     // Forgets the fans of the frame before.
     void begin_frame() { fans_used_ = 0; }
     // Adds to layer 1 of the chunk's drawn image, or to the rays of its wide beams.
@@ -89,6 +92,7 @@ private:
     std::pair<std::uint32_t, bool> layer_for(const shared::Light& light, const shared::Fan& fan);
     std::vector<Filled> filled_; // empty: many lights share a dispatch
     std::uint64_t uses_ = 0;
+    bool is_clean_ = true; // table_ and shade_ hold nothing of before
     gpu::Buffer fans_;
     std::uint64_t fans_used_ = 0; // bytes
     gpu::Texture table_, shade_;

@@ -223,6 +223,13 @@ void Relighter::forget() {
     haze_.forget();
 }
 
+void Relighter::reset() {
+    forget();
+    haze_.reset();
+    tree_ = LightTree(light_count_, slot_count_);
+    budget_ = {};
+}
+
 void Relighter::draw_anew() {
     tree_.invalidate_all();
     if (dirty_tiles_) dirty_tiles_->forget();

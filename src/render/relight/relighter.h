@@ -111,6 +111,8 @@ public:
     FrameStatistics draw(const std::vector<shared::Light>& lights);
     // The camera moved, or shadows changed: the G-buffer was drawn again.
     void forget();
+    // What is drawn next depends on nothing that was drawn before: films are cut there.
+    void reset();
     // Images of resting lights are drawn again, at the quality there is now.
     void draw_anew();
     // Something moved before the camera (GBuffer::update): kept images are mended where it did.

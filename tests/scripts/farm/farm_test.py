@@ -79,6 +79,18 @@ def free_cameras(show):
     print("films of a free camera, standing and flying: the same bytes")
 
 
+def a_block_knows_nothing():
+    """Of what was drawn before it: a lamp's table on the device kept what another one had left there at frame 1080, and the pictures are large
+    enough to show it."""
+    show = small_show(SOURCE, work / "larger", (256, 144))
+    words = ["render", show, "--view", "house", "--from", "0", "--to", "41", "--frames"]
+    ghost.run(*words, "1080-1203", "-o", "after.png")
+    ghost.run(*words, "1200-1203", "-o", "alone.png")
+    after, alone = numbered(work, "after"), numbered(work, "alone")
+    assert len(alone) == 4 and after[-4:] == alone
+    print("a block of frames: the same bytes, whatever was drawn before")
+
+
 def tasks_by_hand(show):
     """As GNU parallel does, on an engine that is none; with what may go wrong in between."""
     words = ["render", show, "-o", "hand.mp4", *FILM]
@@ -192,6 +204,7 @@ try:
     films(baked)
     the_longest_film(baked)
     free_cameras(baked)
+    a_block_knows_nothing()
     tasks_by_hand(baked)
     baked_anew(baked)
     what_cannot_be(baked)
