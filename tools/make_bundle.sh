@@ -66,7 +66,7 @@ put() { # FOLDER FILE...
 }
 put lib $of_program
 put lib/lavapipe $of_driver
-sed 's|"/[^"]*/libvulkan_lvp.so"|"../../lib/lavapipe/libvulkan_lvp.so"|' /usr/share/vulkan/icd.d/lvp_icd.*.json >"$root/share/vulkan/lavapipe.json"
+sed 's|"[^"]*libvulkan_lvp.so"|"../../lib/lavapipe/libvulkan_lvp.so"|' /usr/share/vulkan/icd.d/lvp_icd*.json >"$root/share/vulkan/lavapipe.json"
 
 elf | xargs -0 -n 20 -P "$(nproc)" strip --strip-unneeded
 path_of() { # FOLDER PATH
