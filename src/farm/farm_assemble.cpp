@@ -29,8 +29,10 @@ namespace fs = std::filesystem;
 constexpr auto kPatience = std::chrono::seconds(60);
 constexpr auto kBetweenRecounts = std::chrono::seconds(2);
 constexpr std::size_t kMostNamed = 5;
-// An early one keeps a place on the farm that a task may need which has to be made again.
-constexpr double kPatienceInTasks = 3.0; // of the longest so far
+// An early one keeps a place on the farm that a task may need whose node was lost: where a picture's task
+// takes much longer than the longest so far, it gives the place up.
+constexpr std::chrono::duration<double> kEarlyPatience{5};
+constexpr double kEarlyPatienceInTasks = 1.5;
 
 Result<void> check_whole(const FarmPlan& plan) {
     const auto begun = std::chrono::steady_clock::now();
@@ -86,7 +88,7 @@ Result<video::FilmSound> sound_of(const FarmPlan& plan, long first_frame) {
 // Nothing: it failed, or there has been no word of it for long.
 std::optional<FarmDone> awaited(const FarmPlan& plan, std::size_t task, double longest_s) {
     const auto begun = std::chrono::steady_clock::now();
-    const auto patience = kPatience + std::chrono::duration<double>(kPatienceInTasks * longest_s);
+    const auto patience = kEarlyPatience + std::chrono::duration<double>(kEarlyPatienceInTasks * longest_s);
     for (;;) {
         if (auto done = done_of(plan, task)) return done;
         if (interrupted() || !failure_of(plan, task).empty() ||

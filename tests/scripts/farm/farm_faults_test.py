@@ -89,7 +89,7 @@ def two_submissions(ghost, cluster, show, whole):
     assert sum("tasks given to Slurm" in text for text in said) == 1 and sum("; following it" in text for text in said) == 1, said
     assert whole == (ghost.folder / "twice.mp4").read_bytes()
     logs = {path.stem.split("_")[0] for path in (plan_of(show) / "log").iterdir()}
-    assert len(logs) == 3, logs  # the first frame, the blocks, putting together
+    assert len(logs) in (3, 4), logs  # the first frame, the blocks, putting together early, and at the end, which may not have begun yet
     print("two submissions at once: one farm, one film, both end well")
     cluster.wait_for_idle()
 

@@ -123,8 +123,9 @@ class Cluster:
         return self.do("squeue", "-h", "-r", "-o", "%K %t %N", *(["--states=" + state] if state else [])).splitlines()
 
     def restarts(self):
-        """Of all jobs that Slurm remembers."""
-        return sum(int(word.split("=")[1]) for word in self.do("scontrol", "show", "job", "-o").split() if word.startswith("Restarts="))
+        """Of all tasks that Slurm remembers; what puts a film together is none."""
+        tasks = [line for line in self.do("scontrol", "show", "job", "-o").splitlines() if "ArrayTaskId=" in line]
+        return sum(int(word.split("=")[1]) for line in tasks for word in line.split() if word.startswith("Restarts="))
 
     def pid(self, name):
         return int((self.folder / f"{name}.pid").read_text())
