@@ -119,7 +119,8 @@ Result<std::vector<SlurmJob>> jobs_in(const std::vector<std::string>& jobs, cons
         if (parts.size() < 3) continue;
         const std::string id = parts[0].substr(0, parts[0].find('_'));
         if (parts[1] == "COMPLETING" || std::find(jobs.begin(), jobs.end(), id) == jobs.end()) continue;
-        found.push_back({parts[1], parts[2], parts.size() > 3 ? parts[3] : ""});
+        found.push_back({parts[1], parts[2], parts.size() > 3 ? parts[3] : "",
+                         parts[0].find('_') != std::string::npos}); // of an array
     }
     return found;
 }
@@ -183,12 +184,14 @@ bool anybody_works(const std::vector<SlurmJob>& jobs) {
     });
 }
 
-std::set<std::string> nodes_that_could_not_begin(const std::vector<std::string>& jobs) {
+std::set<std::string> nodes_that_could_not_begin(const std::vector<std::string>& jobs, bool or_said_nothing) {
     std::set<std::string> nodes;
     const auto failed = jobs_in(jobs, "FAILED");
     if (!failed.ok()) return nodes;
     for (const SlurmJob& job : *failed)
-        if (job.reason == "JobLaunchFailure") nodes.insert(job.node);
+        if (job.reason == "JobLaunchFailure" ||
+            (or_said_nothing && job.is_task && job.reason == "NonZeroExitCode"))
+            nodes.insert(job.node);
     return nodes;
 }
 

@@ -98,9 +98,10 @@ std::string reason(const FarmPlan& plan, const Counts& counts) {
     if (counts.done + counts.failed < plan.tasks.size()) { // some ended without a word
         std::error_code code;
         const Submitted submitted = read_submitted(plan);
-        const std::set<std::string> nodes = submitted.options.engine == "slurm"
-                                                ? nodes_that_could_not_begin(submitted.jobs)
-                                                : std::set<std::string>();
+        const std::set<std::string> nodes =
+            submitted.options.engine == "slurm"
+                ? nodes_that_could_not_begin(submitted.jobs, counts.failed == 0)
+                : std::set<std::string>();
         if (const auto space = fs::space(plan.folder, code); !code && space.available < kFull)
             text += "; the disk is full: " + plan.folder.string();
         else if (!nodes.empty())
