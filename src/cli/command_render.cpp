@@ -172,9 +172,7 @@ Result<void> run(RenderArguments& arguments, bool film) {
         log_warning(session->show->sound.file.string() + ": " + problem);
     if (interrupted()) return Error{"interrupted: it ends early", arguments.out};
     print_tally(arguments, *session, *writer, tally);
-    if (session->report.lost_anything())
-        return Error{"drawn, but something that the show asks for is missing (see above)",
-                     session->show->file.string()};
+    if (session->report.lost_anything()) return Error{kDrawnButMissing, session->show->file.string()};
     return {};
 }
 
@@ -183,7 +181,7 @@ Result<void> run(RenderArguments& arguments, bool film) {
 Result<int> run_on_farm(const RenderArguments& arguments) {
     TRY_VOID(check_output(arguments));
     Report report;
-    TRY(const scene::Show show, open_show(arguments.session.show, false, arguments.session.quiet, report));
+    TRY(const scene::Show show, open_show(arguments.session.show, true, arguments.session.quiet, report));
     TRY(const std::size_t camera, show.find_camera(arguments.session.view));
     namespace fs = std::filesystem;
     std::error_code code;
@@ -217,7 +215,9 @@ Result<int> run_on_farm(const RenderArguments& arguments) {
             {"frames " + std::to_string(from) + " to " + std::to_string(to), 1, words(from, to), from, to});
         from = to + 1;
     }
-    return start_farm(std::move(plan), show, arguments.farm, arguments.session.quiet);
+    const int exit_code = start_farm(std::move(plan), show, arguments.farm, arguments.session.quiet);
+    if (exit_code == 0 && report.lost_anything()) return Error{kDrawnButMissing, show.file.string()};
+    return exit_code;
 }
 
 } // namespace

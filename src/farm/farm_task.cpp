@@ -126,7 +126,8 @@ Result<void> run_task(const FarmPlan& plan, std::size_t task) {
         return error;
     };
     if (!child.ok()) return give_up(child.error());
-    if (child->exit_code != 0) {
+    const bool is_drawn = child->exit_code == 1 && child->output.find(kDrawnButMissing) != std::string::npos;
+    if (child->exit_code != 0 && !is_drawn) {
         std::string said = child->output;
         while (!said.empty() && said.back() == '\n') said.pop_back();
         if (said.size() > kKeptOutput) said.erase(0, said.size() - kKeptOutput);

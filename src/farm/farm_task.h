@@ -9,6 +9,10 @@ namespace ghost::app {
 
 inline constexpr std::uintmax_t kMostPictureBytes = std::uintmax_t{1} << 31; // of one file
 
+// What a render says whose pictures are all there, with exit code 1: on a farm they make a film as well.
+inline constexpr const char* kDrawnButMissing =
+    "drawn, but something that the show asks for is missing (see above)";
+
 // Does nothing where the task is done. Whatever goes wrong is also kept in failed/.
 Result<void> run_farm_task(const FarmPlan& plan, std::size_t task);
 

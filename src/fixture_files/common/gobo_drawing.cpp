@@ -281,11 +281,11 @@ private:
 
     // Empty: there was too much before.
     std::vector<float> coverage(const std::vector<image::Polygon>& polygons, image::FillRule rule) {
-        constexpr float side = kGoboDrawing_px;
+        constexpr float kSide = kGoboDrawing_px;
         for (const image::Polygon& polygon : polygons)
             for (std::size_t i = 0; i < polygon.size(); ++i) {
-                const float a = std::clamp(polygon[i].y, 0.0f, side),
-                            b = std::clamp(polygon[(i + 1) % polygon.size()].y, 0.0f, side);
+                const float a = std::clamp(polygon[i].y, 0.0f, kSide),
+                            b = std::clamp(polygon[(i + 1) % polygon.size()].y, 0.0f, kSide);
                 crossings_ += 8.0 + 4.0 * std::abs(b - a);
             }
         if (crossings_ > kMaxCrossings) {

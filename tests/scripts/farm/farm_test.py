@@ -91,6 +91,18 @@ def a_block_knows_nothing():
     print("a block of frames: the same bytes, whatever was drawn before")
 
 
+def a_show_that_lacks_something(show):
+    """Drawn as without a farm: the film is there, and the exit code says that it is not all of the show."""
+    poor = work / "poor/show"
+    shutil.copytree(show, poor, ignore=shutil.ignore_patterns("farm"))
+    shutil.copytree(work / "fixtures", poor.parent / "fixtures", ignore=shutil.ignore_patterns("*VL2500_Wash*"))
+    words = ["render", poor, "--view", "house", "--from", "6", "--to", "9"]
+    ghost.run(*words, "-o", "poor.mp4", code=1, says="drawn, but something that the show asks for is missing")
+    ghost.run(*words, "-o", "poorcut.mp4", "--farm", "local", code=1, says="drawn, but something that the show asks for is missing")
+    assert (work / "poor.mp4").read_bytes() == (work / "poorcut.mp4").read_bytes()
+    print("a show that lacks a fixture's file: the same film, and the same exit code")
+
+
 def tasks_by_hand(show):
     """As GNU parallel does, on an engine that is none; with what may go wrong in between."""
     words = ["render", show, "-o", "hand.mp4", *FILM]
@@ -205,6 +217,7 @@ try:
     the_longest_film(baked)
     free_cameras(baked)
     a_block_knows_nothing()
+    a_show_that_lacks_something(baked)
     tasks_by_hand(baked)
     baked_anew(baked)
     what_cannot_be(baked)
