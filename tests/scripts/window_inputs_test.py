@@ -232,7 +232,8 @@ def main():
         for second in (3630.0, 3630.04, 3630.08):
             timecode(artnet, second)
             time.sleep(0.04)
-        window.until("the time code's place", lambda state: abs(state["at_s"] - 30.1) < 0.1)
+        # It goes on for a second without time code, which may be over before a busy window is asked.
+        window.until("the time code's place", lambda state: 30 <= state["at_s"] < 31.2)
         timecode(artnet, 3612.0)
         window.until("its jump", lambda state: abs(state["at_s"] - 12.0) < 0.1)
         print("ok: the recording follows the time code")
