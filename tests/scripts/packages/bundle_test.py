@@ -63,6 +63,22 @@ with tempfile.TemporaryDirectory(prefix="ghost-bundle-") as folder:
     paths = {run("patchelf", "--print-rpath", path).strip() for path in bundle.rglob("*.so*") if path.is_file()}
     assert all(path.startswith("$ORIGIN") or path == "" for path in paths), paths
 
+    # What the launcher set elsewhere comes along with a farm's job; what the user set stays.
+    fake = work / "fake"
+    for place in ("bin", "libexec", "share/vulkan", "share/fonts", "lib/fallback/libnobody.so.1"):
+        (fake / place).mkdir(parents=True)
+    shutil.copy2(bundle / "bin/ghostlight", fake / "bin")
+    (fake / "share/vulkan/lavapipe.json").write_text("{}")
+    (fake / "libexec/ghostlight").write_text("#!/bin/sh\nenv\n")
+    (fake / "libexec/ghostlight").chmod(0o755)
+    settings = {"PATH": os.environ["PATH"], "VK_DRIVER_FILES": f"{fake}/share/vulkan/lavapipe.json", "FONTCONFIG_FILE": "/mine.conf",
+                "LD_LIBRARY_PATH": f"/mine:{fake}/lib/fallback/libm.so.6:/too"}
+    said = dict(line.split("=", 1) for line in run(fake / "bin/ghostlight", env=settings).splitlines())
+    assert said["LD_LIBRARY_PATH"] == f"/mine:/too:{fake}/lib/fallback/libnobody.so.1", said
+    assert said["FONTCONFIG_FILE"] == "/mine.conf", said
+    has_driver = any(pathlib.Path("/usr/share/vulkan/icd.d").glob("*.json"))
+    assert ("VK_DRIVER_FILES" in said) != has_driver, said
+
     if os.geteuid() != 0:
         print("skipped: only root can change the root folder")
         sys.exit(77)

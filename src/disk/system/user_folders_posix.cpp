@@ -8,6 +8,16 @@ namespace ghost {
 namespace fs = std::filesystem;
 namespace {
 
+// Below the user's folder. On macOS, where this was never compiled, those who set what Linux has mean it,
+// too.
+#if defined(__APPLE__)
+constexpr const char* kCaches = "Library/Caches";
+constexpr const char* kStates = "Library/Application Support";
+#else
+constexpr const char* kCaches = ".cache";
+constexpr const char* kStates = ".local/state";
+#endif
+
 // Relative paths mean nothing there, says the XDG specification.
 fs::path absolute_in(const char* variable) {
     const char* const value = std::getenv(variable);
@@ -24,11 +34,11 @@ fs::path absolute_or(const char* variable, const char* in_home) {
 } // namespace
 
 fs::path cache_of_user() {
-    return absolute_or("XDG_CACHE_HOME", ".cache");
+    return absolute_or("XDG_CACHE_HOME", kCaches);
 }
 
 fs::path state_of_user() {
-    return absolute_or("XDG_STATE_HOME", ".local/state");
+    return absolute_or("XDG_STATE_HOME", kStates);
 }
 
 bool may_write_in(const fs::path& folder) {

@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "net/socket.h"
 
+#if defined(_WIN32)
+#include "net/private/winsock.h"
+#else
 #include <arpa/inet.h>
-#include <cstring>
 #include <netinet/in.h>
+#endif
+
+#include <cstring>
 
 namespace ghost::dmx {
 
