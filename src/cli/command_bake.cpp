@@ -5,6 +5,7 @@
 #include "cli/commands.h"
 #include "cli/options/live_options.h"
 #include "farm/farm.h"
+#include "farm/farm_task.h"
 #include "live/session/passes_sources.h"
 #include "live/session/session.h"
 #include "show/show.h"
@@ -189,7 +190,9 @@ int run_bake(const BakeArguments& arguments) {
             " passes are finished and kept (they come by eights), the same command goes on from there");
         return 1;
     }
-    return report.lost_anything() ? 1 : 0;
+    if (!report.lost_anything()) return 0;
+    log_error(show->file.string() + ": " + kMadeButMissing);
+    return 1;
 }
 
 } // namespace

@@ -18,7 +18,6 @@ struct FarmArguments {
     double most_silence_s = kMostSilence_s;
     bool quiet = false;
     bool trust = false;
-    bool is_early = false;
 };
 
 int ended(const Result<void>& done) {
@@ -66,13 +65,10 @@ void add_farm(CLI::App& app, int& exit_code) {
     };
     add_trusting("retry", "do what is missing, and only that", retry_farm);
     add_trusting("cancel", "take it back from the engine; what is done stays", cancel_farm);
-    add_trusting("assemble", "put together what the tasks made",
-                 [a](const FarmPlan& plan) {
-                     catch_interrupts();
-                     return ended(a->is_early ? assemble_farm_early(plan) : assemble_farm(plan));
-                 })
-        ->add_flag("--early", a->is_early,
-                   "of a film: while its last tasks are at work, and not at all where one does not end");
+    add_trusting("assemble", "put together what the tasks made", [](const FarmPlan& plan) {
+        catch_interrupts();
+        return ended(assemble_farm(plan));
+    });
     add("tasks", "the numbers of the tasks that are missing, one a line", [](const FarmPlan& plan) {
         for (const std::size_t task : missing_tasks(plan)) print_text("%zu\n", task);
         return 0;

@@ -107,9 +107,8 @@ Result<bool> check_usage(RenderArguments& arguments) {
                         &arguments.last_frame, &end) != 2 ||
             arguments.first_frame < 0 || arguments.last_frame < arguments.first_frame)
             return Error{"'" + arguments.frames + "' is not FIRST-LAST, two numbers of frames", "--frames"};
-        if (!film || arguments.live_input || kind == OutputKind::film || arguments.hold_fps > 0)
-            return Error{"pictures of a film of a recording: --from, --to and -o NAME.png or .exr",
-                         "--frames"};
+        if (!film || arguments.live_input || arguments.hold_fps > 0)
+            return Error{"a part of a film of a recording: --from and --to, in full quality", "--frames"};
     }
     if (arguments.reference.wanted && (film || kind == OutputKind::film || !arguments.session.travel.empty()))
         return Error{"a reference is one picture: .png or .exr, with --at", "--reference"};
@@ -146,9 +145,11 @@ Result<void> run(RenderArguments& arguments, bool film) {
                                 arguments.fps, arguments.out);
     TRY(const std::unique_ptr<Session> session, open_session(arguments.session));
     video::FilmSound sound;
-    if (output_kind(arguments.out).value() == OutputKind::film && !arguments.live_input) {
-        const long first = film_frames(arguments.from_s, arguments.to_s, arguments.fps).first;
-        auto found = film_sound(*session->show, static_cast<double>(first) / arguments.fps);
+    const bool is_part = arguments.first_frame >= 0;
+    long first_frame = is_part ? arguments.first_frame : 0;
+    if (output_kind(arguments.out).value() == OutputKind::film && !arguments.live_input && !is_part) {
+        first_frame = film_frames(arguments.from_s, arguments.to_s, arguments.fps).first;
+        auto found = film_sound(*session->show, static_cast<double>(first_frame) / arguments.fps);
         if (found.ok()) {
             sound = std::move(*found);
         } else {
@@ -159,8 +160,7 @@ Result<void> run(RenderArguments& arguments, bool film) {
     TRY(const std::unique_ptr<PictureWriter> writer,
         PictureWriter::create(arguments.out, session->relighter->width() / arguments.session.supersample,
                               session->relighter->height() / arguments.session.supersample, arguments.fps,
-                              film, arguments.session.supersample, std::move(sound)));
-    if (arguments.first_frame >= 0) writer->number_from(static_cast<int>(arguments.first_frame));
+                              film, arguments.session.supersample, std::move(sound), first_frame));
     Tally tally;
     TRY_VOID(arguments.live_input ? render_live(arguments, *session, *writer, tally)
                                   : render_recording(arguments, *session, *writer, tally));
@@ -172,7 +172,7 @@ Result<void> run(RenderArguments& arguments, bool film) {
         log_warning(session->show->sound.file.string() + ": " + problem);
     if (interrupted()) return Error{"interrupted: it ends early", arguments.out};
     print_tally(arguments, *session, *writer, tally);
-    if (session->report.lost_anything()) return Error{kDrawnButMissing, session->show->file.string()};
+    if (session->report.lost_anything()) return Error{kMadeButMissing, session->show->file.string()};
     return {};
 }
 
@@ -210,14 +210,12 @@ Result<int> run_on_farm(const RenderArguments& arguments) {
     };
     plan.tasks.push_back({"the first frame, with what all need", 0, words(first, first)});
     for (long from = first; from <= last;) {
-        const long to = std::min((from / kBlockFrames + 1) * kBlockFrames - 1, last);
+        const long to = std::min((from / video::kFilmBlockFrames + 1) * video::kFilmBlockFrames - 1, last);
         plan.tasks.push_back(
             {"frames " + std::to_string(from) + " to " + std::to_string(to), 1, words(from, to), from, to});
         from = to + 1;
     }
-    const int exit_code = start_farm(std::move(plan), show, arguments.farm, arguments.session.quiet);
-    if (exit_code == 0 && report.lost_anything()) return Error{kDrawnButMissing, show.file.string()};
-    return exit_code;
+    return start_farm(std::move(plan), show, arguments.farm, arguments.session.quiet);
 }
 
 } // namespace
@@ -319,7 +317,7 @@ void add_render(CLI::App& app, int& exit_code) {
             "--frames", a->frames,
             "only these pictures of the film, numbered as they are from second 0 on; drawn in parts that "
             "begin at multiples of " +
-                std::to_string(kBlockFrames) + " it has the bytes of the whole")
+                std::to_string(video::kFilmBlockFrames) + " it has the bytes of the whole")
         ->type_name("FIRST-LAST");
     command->add_option("--threads", a->threads, "processor threads (0: one per core)")
         ->check(CLI::Range(0, 1024))

@@ -83,8 +83,7 @@ int ended(const FarmPlan& plan, const Result<void>& done) {
         log_error(done.error().text());
         return 1;
     }
-    log_info(plan.result_name() + ": done, " + std::to_string(plan.tasks.size()) + " tasks");
-    return 0;
+    return whole_of_farm(plan, "done, " + std::to_string(plan.tasks.size()) + " tasks");
 }
 
 int do_missing(const FarmPlan& plan, const FarmOptions& options, bool quiet) {
@@ -101,10 +100,7 @@ int do_missing(const FarmPlan& plan, const FarmOptions& options, bool quiet) {
         return wait_for_farm(plan, quiet);
     }
     const bool is_stale = passes_changed(plan);
-    if (!is_stale && has_result(plan)) {
-        log_info(plan.result_name() + ": is done already");
-        return 0;
-    }
+    if (!is_stale && has_result(plan)) return whole_of_farm(plan, "is done already");
     const Submitted before = read_submitted(plan);
     if (options.engine == "slurm") {
         auto living = slurm_jobs(before.jobs);

@@ -26,6 +26,8 @@ inline constexpr double kMostSilence_s = 600; // of Slurm, which may be started 
 // meanwhile.
 int wait_for_farm(const FarmPlan& plan, bool quiet, double most_silence_s = kMostSilence_s);
 int print_farm_status(const FarmPlan& plan);
+// Of a whole result: says so, in these words. Exit code: 1 where something that the show asks for lacks.
+int whole_of_farm(const FarmPlan& plan, const std::string& words);
 int cancel_farm(const FarmPlan& plan);
 
 inline constexpr const char* kSubmittingFile = "submitting";
@@ -44,8 +46,7 @@ struct SlurmJob {
     std::string node, reason;
     bool is_task = false; // else it puts together
 };
-// Arrays of these tasks, the second after the first, and a job that assembles, for a film one that does so
-// while the last tasks are at work, too; the numbers of the jobs.
+// Arrays of these tasks, the second after the first, and a job that assembles; the numbers of the jobs.
 Result<std::vector<std::string>> submit_to_slurm(const FarmPlan& plan, const std::vector<std::size_t>& tasks,
                                                  const std::string& options);
 // Those of them that have not ended. Error: Slurm does not answer.

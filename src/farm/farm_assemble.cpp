@@ -7,7 +7,6 @@
 #include "disk/crc32.h"
 #include "disk/files.h"
 #include "disk/own_program.h"
-#include "image/ldr.h"
 #include "live/session/film_sound.h"
 #include "show/show.h"
 #include "show_folder/load_show.h"
@@ -16,8 +15,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdlib>
-#include <nlohmann/json.hpp>
-#include <optional>
 #include <thread>
 
 namespace ghost::app {
@@ -29,10 +26,6 @@ namespace fs = std::filesystem;
 constexpr auto kPatience = std::chrono::seconds(60);
 constexpr auto kBetweenRecounts = std::chrono::seconds(2);
 constexpr std::size_t kMostNamed = 5;
-// An early one keeps a place on the farm that a task may need whose node was lost: where a picture's task
-// takes much longer than the longest so far, it gives the place up.
-constexpr std::chrono::duration<double> kEarlyPatience{5};
-constexpr double kEarlyPatienceInTasks = 1.5;
 
 Result<void> check_whole(const FarmPlan& plan) {
     const auto begun = std::chrono::steady_clock::now();
@@ -63,14 +56,23 @@ Result<void> check_whole(const FarmPlan& plan) {
     }
 }
 
-// A picture as the task wrote it, or it is made again.
-Result<std::vector<std::uint8_t>> picture_bytes(const FarmPlan& plan, std::size_t task, const fs::path& file,
-                                                const std::pair<std::uintmax_t, std::uint32_t>& expected) {
-    auto bytes = read_file(file, kMostPictureBytes);
-    if (bytes.ok() && bytes->size() == expected.first && crc32(*bytes) == expected.second) return bytes;
+// What a task left is made again.
+Error damaged(const FarmPlan& plan, std::size_t task, const fs::path& file) {
     std::error_code code;
     fs::remove(plan.done_file(task), code);
     return Error{"is not what its task wrote; ghostlight farm retry makes it again", file.string()};
+}
+
+// As the task wrote it.
+Result<std::vector<std::uint8_t>> bytes_of(const FarmPlan& plan, std::size_t task, const FarmDone& done,
+                                           const std::string& name) {
+    const auto expected = done.files.find(name);
+    if (expected == done.files.end()) return Error{"has no " + name, plan.tasks[task].name};
+    const fs::path file = plan.folder / "frames" / done.folder / name;
+    auto bytes = read_file(file, kMostPictureBytes);
+    if (bytes.ok() && bytes->size() == expected->second.first && crc32(*bytes) == expected->second.second)
+        return bytes;
+    return damaged(plan, task, file);
 }
 
 std::string number_text(long number) {
@@ -85,61 +87,49 @@ Result<video::FilmSound> sound_of(const FarmPlan& plan, long first_frame) {
     return film_sound(show, static_cast<double>(first_frame) / plan.fps);
 }
 
-// Nothing: it failed, or there has been no word of it for long.
-std::optional<FarmDone> awaited(const FarmPlan& plan, std::size_t task, double longest_s) {
-    const auto begun = std::chrono::steady_clock::now();
-    const auto patience = kEarlyPatience + std::chrono::duration<double>(kEarlyPatienceInTasks * longest_s);
-    for (;;) {
-        if (auto done = done_of(plan, task)) return done;
-        if (interrupted() || !failure_of(plan, task).empty() ||
-            std::chrono::steady_clock::now() - begun > patience)
-            return std::nullopt;
-        std::this_thread::sleep_for(kBetweenRecounts);
+Result<FarmDone> write_film(const FarmPlan& plan) {
+    FarmDone result;
+    std::vector<video::FilmPart> parts;
+    long first_frame = -1;
+    for (std::size_t task = 0; task < plan.tasks.size(); ++task) {
+        if (plan.tasks[task].first_frame < 0) continue;
+        if (interrupted()) return Error{"interrupted: nothing is written", plan.out.string()};
+        const auto done = done_of(plan, task);
+        if (!done) return Error{"was done and is gone", plan.tasks[task].name};
+        result.lacks_something |= done->lacks_something;
+        TRY_VOID(bytes_of(plan, task, *done, plan.part_name()));
+        parts.push_back({plan.folder / "frames" / done->folder / plan.part_name(),
+                         plan.tasks[task].last_frame - plan.tasks[task].first_frame + 1});
+        if (first_frame < 0) first_frame = plan.tasks[task].first_frame;
     }
+    TRY(video::FilmSound sound, sound_of(plan, first_frame));
+    TRY(const std::string problem, video::join_films(plan.out, parts, plan.fps, std::move(sound)));
+    if (!problem.empty()) log_warning(plan.show.string() + ": its sound: " + problem);
+    std::error_code code;
+    result.files[plan.out.filename().string()] = {fs::file_size(plan.out, code), 0};
+    return result;
 }
 
-Result<FarmDone> write_film(const FarmPlan& plan, bool is_early) {
+Result<FarmDone> write_pictures(const FarmPlan& plan) {
     FarmDone result;
-    double longest_s = 0.0;
-    std::unique_ptr<video::FilmWriter> film;
+    const std::string ending = plan.out.extension().string();
     long number = 0;
     for (std::size_t task = 0; task < plan.tasks.size(); ++task) {
         if (plan.tasks[task].first_frame < 0) continue;
-        const auto done = is_early ? awaited(plan, task, longest_s) : done_of(plan, task);
-        if (!done) return Error{is_early ? "did not come" : "was done and is gone", plan.tasks[task].name};
-        longest_s = std::max(longest_s, done->seconds);
+        const auto done = done_of(plan, task);
+        if (!done) return Error{"was done and is gone", plan.tasks[task].name};
+        result.lacks_something |= done->lacks_something;
         // By number, which has more digits from 100,000 on.
         for (long frame = plan.tasks[task].first_frame; frame <= plan.tasks[task].last_frame;
              ++frame, ++number) {
-            if (interrupted()) return Error{"interrupted: nothing is written", plan.out.string()};
-            const std::string name =
-                "f" + number_text(frame) + (plan.out.extension() == ".exr" ? ".exr" : ".png");
-            const auto expected = done->files.find(name);
-            if (expected == done->files.end()) return Error{"has no " + name, plan.tasks[task].name};
-            TRY(const std::vector<std::uint8_t> bytes,
-                picture_bytes(plan, task, plan.folder / "frames" / done->folder / name, expected->second));
-            if (plan.is_one_file()) {
-                TRY(const image::Image8 picture, image::decode_ldr(bytes, name));
-                if (!film) {
-                    TRY(video::FilmSound sound, sound_of(plan, frame));
-                    TRY(film, video::FilmWriter::create(plan.out, picture.width, picture.height, plan.fps,
-                                                        std::move(sound)));
-                }
-                TRY_VOID(film->add(picture.samples.data()));
-            } else {
-                fs::path to = plan.out;
-                to.replace_filename(to.stem().string() + number_text(number) + to.extension().string());
-                TRY_VOID(write_file_atomic(to, bytes));
-                result.files[to.filename().string()] = expected->second;
-            }
+            if (interrupted()) return Error{"interrupted: nothing more is written", plan.out.string()};
+            const std::string name = "f" + number_text(frame) + ending;
+            TRY(const std::vector<std::uint8_t> bytes, bytes_of(plan, task, *done, name));
+            fs::path to = plan.out;
+            to.replace_filename(to.stem().string() + number_text(number) + ending);
+            TRY_VOID(write_file_atomic(to, bytes));
+            result.files[to.filename().string()] = done->files.at(name);
         }
-    }
-    if (film) {
-        TRY_VOID(film->finish());
-        if (const std::string problem = film->sound_problem(); !problem.empty())
-            log_warning(plan.show.string() + ": its sound: " + problem);
-        std::error_code code;
-        result.files[plan.out.filename().string()] = {fs::file_size(plan.out, code), 0};
     }
     return result;
 }
@@ -155,37 +145,24 @@ Result<FarmDone> finish_bake(const FarmPlan& plan) {
     if (const int threads = farm_threads(); threads > 0)
         words.insert(words.end(), {"--threads", std::to_string(threads)});
     TRY(const ChildResult child, run_child(words, plan.from, true));
-    if (child.exit_code != 0)
+    FarmDone result;
+    result.lacks_something = said_made_but_missing(child);
+    if (child.exit_code != 0 && !result.lacks_something)
         return Error{"the passes could not be put together (see above)", plan.show.string()};
-    return FarmDone{};
+    return result;
 }
 
-Result<void> assemble(const FarmPlan& plan, bool is_early) {
+Result<void> assemble(const FarmPlan& plan) {
     TRY_VOID(check_same(plan));
-    if (!is_early) TRY_VOID(check_whole(plan));
-    TRY(FarmDone result, plan.is_film() ? write_film(plan, is_early) : finish_bake(plan));
+    TRY_VOID(check_whole(plan));
+    TRY(FarmDone result, plan.is_one_file() ? write_film(plan)
+                         : plan.is_film()   ? write_pictures(plan)
+                                            : finish_bake(plan));
     result.host = node_name();
-    nlohmann::json files = nlohmann::json::object();
-    for (const auto& [name, file] : result.files) files[name] = {file.first, file.second};
-    return write_file_atomic(
-        plan.result_file(),
-        nlohmann::json(
-            {{"host", result.host}, {"seconds", 0.0}, {"passes", ""}, {"folder", ""}, {"files", files}})
-                .dump() +
-            "\n");
+    return store_result(plan, result);
 }
 
 } // namespace
-
-Result<void> assemble_farm_early(const FarmPlan& plan) {
-    if (!plan.is_one_file() || has_result(plan)) return {};
-    TRY_VOID(check_ours(plan));
-    TRY_VOID(make_plan_folders(plan));
-    const Result<void> done = assemble(plan, true);
-    if (done.ok()) return remove_pictures(plan);
-    log_info("not put together yet: " + done.error().text());
-    return {};
-}
 
 Result<void> assemble_farm(const FarmPlan& plan) {
     if (has_result(plan)) {
@@ -196,7 +173,7 @@ Result<void> assemble_farm(const FarmPlan& plan) {
     TRY_VOID(make_plan_folders(plan));
     const std::size_t as_task = plan.tasks.size();
     std::error_code code;
-    const Result<void> done = assemble(plan, false);
+    const Result<void> done = assemble(plan);
     if (!done.ok()) {
         if (const auto kept = write_file_atomic(plan.failed_file(as_task), done.error().text() + "\n");
             !kept.ok())

@@ -68,6 +68,19 @@ std::string text_of(const FarmPlan& plan) {
            "\n";
 }
 
+std::string text_of(const FarmDone& done) {
+    json files = json::object();
+    for (const auto& [name, file] : done.files) files[name] = {file.first, file.second};
+    return json({{"host", done.host},
+                 {"seconds", done.seconds},
+                 {"passes", done.passes},
+                 {"folder", done.folder},
+                 {"lacks_something", done.lacks_something},
+                 {"files", files}})
+               .dump(-1, ' ', false, json::error_handler_t::replace) +
+           "\n";
+}
+
 // Throws json::exception where something has another type.
 FarmPlan plan_of(const json& all) {
     FarmPlan plan;
@@ -109,6 +122,7 @@ std::optional<FarmDone> read_done(const fs::path& file) {
         done.seconds = all->at("seconds").get<double>();
         done.passes = all->at("passes").get<std::string>();
         done.folder = all->at("folder").get<std::string>();
+        done.lacks_something = all->at("lacks_something").get<bool>();
         for (const auto& [name, entry] : all->at("files").items())
             done.files[name] = {entry.at(0).get<std::uintmax_t>(), entry.at(1).get<std::uint32_t>()};
         if (done.folder.find('/') != std::string::npos || done.folder == "..") return std::nullopt;
@@ -278,24 +292,24 @@ std::vector<std::size_t> missing_tasks(const FarmPlan& plan) {
 }
 
 Result<bool> store_done(const FarmPlan& plan, std::size_t task, const FarmDone& done) {
-    json files = json::object();
-    for (const auto& [name, file] : done.files) files[name] = {file.first, file.second};
-    const std::string text = json({{"host", done.host},
-                                   {"seconds", done.seconds},
-                                   {"passes", done.passes},
-                                   {"folder", done.folder},
-                                   {"files", files}})
-                                 .dump(-1, ' ', false, json::error_handler_t::replace) +
-                             "\n";
     const fs::path file = plan.done_file(task);
     std::error_code code;
     // What it speaks of is gone.
     if (fs::exists(file, code) && !done_of(plan, task)) fs::remove(file, code);
     const fs::path temporary = temporary_beside(file);
-    TRY_VOID(write_file_atomic(temporary, text));
+    TRY_VOID(write_file_atomic(temporary, text_of(done)));
     const Result<bool> is_first = commit_new(temporary, file);
     if (!is_first.ok() || !*is_first) fs::remove(temporary, code);
     return is_first;
+}
+
+Result<void> store_result(const FarmPlan& plan, const FarmDone& result) {
+    return write_file_atomic(plan.result_file(), text_of(result));
+}
+
+bool result_lacks_something(const FarmPlan& plan) {
+    const auto result = read_done(plan.result_file());
+    return result && result->lacks_something;
 }
 
 bool has_result(const FarmPlan& plan) {

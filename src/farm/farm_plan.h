@@ -27,7 +27,7 @@ struct FarmTask {
     std::string name;               // for people: "frames 240 to 479"
     int stage = 0;                  // tasks of stage 1 begin when all of stage 0 are done
     std::vector<std::string> words; // added to those of the plan
-    long first_frame = -1;          // of pictures that it leaves in its folder; else none
+    long first_frame = -1;          // of what it leaves in its folder, one part or pictures; else nothing
     long last_frame = -1;
 };
 
@@ -48,6 +48,7 @@ struct FarmPlan {
 
     bool is_film() const { return !out.empty(); }
     bool is_one_file() const { return out.extension() == ".mp4"; }                // else numbered pictures
+    std::string part_name() const { return "part" + out.extension().string(); }   // of what is one file
     std::string result_name() const { return (is_film() ? out : show).string(); } // for messages
     std::filesystem::path done_file(std::size_t task) const;
     std::filesystem::path failed_file(std::size_t task) const;
@@ -58,8 +59,9 @@ struct FarmPlan {
 struct FarmDone {
     std::string host;
     double seconds = 0;
-    std::string passes; // of a film's camera, as it was drawn from
-    std::string folder; // of its pictures, in frames/
+    std::string passes;           // of a film's camera, as it was drawn from
+    std::string folder;           // of what it left, in frames/
+    bool lacks_something = false; // that the show asks for, like a fixture's file
     std::map<std::string, std::pair<std::uintmax_t, std::uint32_t>> files; // size and CRC
 };
 
@@ -86,8 +88,11 @@ std::optional<FarmDone> done_of(const FarmPlan& plan, std::size_t task);
 std::vector<std::size_t> missing_tasks(const FarmPlan& plan);
 // First wins: false where somebody was faster.
 Result<bool> store_done(const FarmPlan& plan, std::size_t task, const FarmDone& done);
+Result<void> store_result(const FarmPlan& plan, const FarmDone& result);
 // The film that the result is of still lies there, or the plan is of a bake.
 bool has_result(const FarmPlan& plan);
+// Of a whole result: something that the show asks for is not in it.
+bool result_lacks_something(const FarmPlan& plan);
 // The last line of why a task failed; "": it did not.
 std::string failure_of(const FarmPlan& plan, std::size_t task);
 // Error: the plan may have come with the show, from a stranger. What it would do is said.

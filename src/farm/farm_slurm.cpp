@@ -81,15 +81,14 @@ struct Sbatch {
     std::string program;
 
     Result<std::string> submit(const std::string& command, const std::string& array,
-                               const std::vector<std::string>& after,
-                               const std::string& when = "afterany") const {
+                               const std::vector<std::string>& after) const {
         std::vector<std::string> words{"sbatch", "--parsable", "--job-name=ghostlight", "--requeue",
                                        "--open-mode=append"};
         words.push_back("--output=" +
                         (plan.folder / "log" / (array.empty() ? "%j.txt" : "%A_%a.txt")).string());
         if (!array.empty()) words.push_back("--array=" + array);
         if (!after.empty()) {
-            std::string all = "--dependency=" + when;
+            std::string all = "--dependency=afterany";
             for (const std::string& job : after) all += ":" + job;
             words.push_back(all);
         }
@@ -153,13 +152,6 @@ Result<std::vector<std::string>> submit_to_slurm(const FarmPlan& plan, const std
                 jobs.push_back(id);
             }
             if (!of_stage.empty()) before = of_stage;
-        }
-        // As soon as none of the last tasks waits any more there is a place for it.
-        if (plan.is_one_file() && !before.empty()) {
-            TRY(const std::string early,
-                sbatch.submit("assemble --early " + folder + " --trust", "", before, "after"));
-            jobs.push_back(early);
-            before.push_back(early);
         }
         // Whatever becomes of them: it says what is missing. afterok would wait for ever after one failure.
         TRY(const std::string id, sbatch.submit("assemble " + folder + " --trust", "", before));

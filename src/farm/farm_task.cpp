@@ -114,8 +114,8 @@ Result<void> run_task(const FarmPlan& plan, std::size_t task) {
             return Error{"cannot make the folder: " + code.message(), pictures.string()};
         words.insert(
             words.end(),
-            {"-o",
-             (pictures / ("f" + (plan.out.extension() == ".exr" ? std::string(".exr") : ".png"))).string()});
+            {"-o", (pictures / (plan.is_one_file() ? plan.part_name() : "f" + plan.out.extension().string()))
+                       .string()});
     }
     if (const int threads = farm_threads(); threads > 0)
         words.insert(words.end(), {"--threads", std::to_string(threads)});
@@ -126,8 +126,8 @@ Result<void> run_task(const FarmPlan& plan, std::size_t task) {
         return error;
     };
     if (!child.ok()) return give_up(child.error());
-    const bool is_drawn = child->exit_code == 1 && child->output.find(kDrawnButMissing) != std::string::npos;
-    if (child->exit_code != 0 && !is_drawn) {
+    done.lacks_something = said_made_but_missing(*child);
+    if (child->exit_code != 0 && !done.lacks_something) {
         std::string said = child->output;
         while (!said.empty() && said.back() == '\n') said.pop_back();
         if (said.size() > kKeptOutput) said.erase(0, said.size() - kKeptOutput);
@@ -149,9 +149,11 @@ Result<void> run_task(const FarmPlan& plan, std::size_t task) {
             if (!bytes.ok()) return give_up(bytes.error());
             done.files[entry.path().filename().string()] = {bytes->size(), crc32(*bytes)};
         }
-        if (static_cast<long>(done.files.size()) != wanted.last_frame - wanted.first_frame + 1)
-            return give_up(Error{"drew " + std::to_string(done.files.size()) + " pictures, expected " +
-                                     std::to_string(wanted.last_frame - wanted.first_frame + 1),
+        // Of a film it is known when it is put together.
+        const long files = plan.is_one_file() ? 1 : wanted.last_frame - wanted.first_frame + 1;
+        if (static_cast<long>(done.files.size()) != files)
+            return give_up(Error{"left " + std::to_string(done.files.size()) + " files, expected " +
+                                     std::to_string(files),
                                  wanted.name});
     } else if (!pictures.empty()) {
         fs::remove_all(pictures, code);
@@ -167,6 +169,10 @@ Result<void> run_task(const FarmPlan& plan, std::size_t task) {
 }
 
 } // namespace
+
+bool said_made_but_missing(const ChildResult& child) {
+    return child.exit_code == 1 && child.output.find(kMadeButMissing) != std::string::npos;
+}
 
 // Pictures of another build, or of a show that was edited meanwhile, must not get into one film.
 Result<void> check_same(const FarmPlan& plan) {

@@ -3,24 +3,23 @@
 // What a machine of a farm does: one task, or putting together what the tasks made. Main thread; any number
 // of processes and machines at once.
 
+#include "base/child.h"
 #include "farm/farm_plan.h"
 
 namespace ghost::app {
 
 inline constexpr std::uintmax_t kMostPictureBytes = std::uintmax_t{1} << 31; // of one file
 
-// What a render says whose pictures are all there, with exit code 1: on a farm they make a film as well.
-inline constexpr const char* kDrawnButMissing =
-    "drawn, but something that the show asks for is missing (see above)";
+// What a render or bake says, with exit code 1, that made all it could: on a farm it makes a whole as well.
+inline constexpr const char* kMadeButMissing =
+    "made, but something that the show asks for is missing (see above)";
+bool said_made_but_missing(const ChildResult& child);
 
 // Does nothing where the task is done. Whatever goes wrong is also kept in failed/.
 Result<void> run_farm_task(const FarmPlan& plan, std::size_t task);
 
 // The film of the pictures, or the manifest of the passes. Error: names what is missing.
 Result<void> assemble_farm(const FarmPlan& plan);
-// Of a film whose last tasks are at work: the same in the meantime, picture by picture as they come. Where
-// one does not come nothing is written, which is no error: whoever assembles at the end says what is missing.
-Result<void> assemble_farm_early(const FarmPlan& plan);
 
 // Error: this is another build, the show was edited since, or this machine does not see it.
 Result<void> check_same(const FarmPlan& plan);

@@ -6,6 +6,7 @@
 #include "base/print.h"
 #include "base/progress.h"
 #include "base/steady_time.h"
+#include "farm/farm_task.h"
 #include "show_folder/hold.h"
 
 #include <algorithm>
@@ -26,6 +27,7 @@ constexpr std::uintmax_t kFull = 65536; // bytes; a disk that has fewer holds no
 
 struct Counts {
     std::size_t done = 0, failed = 0;
+    bool first_is_silent = false; // a task before which no other can begin is not done and says nothing
     std::string first_failure;
 };
 
@@ -39,7 +41,10 @@ Counts count(const FarmPlan& plan, bool is_whole) {
             continue;
         }
         const std::string why = failure_of(plan, task);
-        if (why.empty()) continue;
+        if (why.empty()) {
+            counts.first_is_silent |= is_task && plan.tasks[task].stage == 0;
+            continue;
+        }
         if (is_task) ++counts.failed;
         if (counts.first_failure.empty())
             counts.first_failure =
@@ -98,10 +103,11 @@ std::string reason(const FarmPlan& plan, const Counts& counts) {
     if (counts.done + counts.failed < plan.tasks.size()) { // some ended without a word
         std::error_code code;
         const Submitted submitted = read_submitted(plan);
+        std::vector<std::string> jobs;
+        if (submitted.options.engine == "slurm") jobs = submitted.jobs;
+        if (counts.first_is_silent && !jobs.empty()) jobs.resize(1); // all others failed for it
         const std::set<std::string> nodes =
-            submitted.options.engine == "slurm"
-                ? nodes_that_could_not_begin(submitted.jobs, counts.failed == 0)
-                : std::set<std::string>();
+            nodes_that_could_not_begin(jobs, counts.first_is_silent || counts.failed == 0);
         if (const auto space = fs::space(plan.folder, code); !code && space.available < kFull)
             text += "; the disk is full: " + plan.folder.string();
         else if (!nodes.empty())
@@ -117,6 +123,13 @@ std::string reason(const FarmPlan& plan, const Counts& counts) {
 }
 
 } // namespace
+
+int whole_of_farm(const FarmPlan& plan, const std::string& words) {
+    log_info(plan.result_name() + ": " + words);
+    if (!result_lacks_something(plan)) return 0;
+    log_error(plan.show.string() + ": " + kMadeButMissing);
+    return 1;
+}
 
 int wait_for_farm(const FarmPlan& plan, bool quiet, double most_silence_s) {
     catch_interrupts();
@@ -135,8 +148,7 @@ int wait_for_farm(const FarmPlan& plan, bool quiet, double most_silence_s) {
         const Counts counts = count(plan, is_whole);
         if (is_whole) {
             progress.finish();
-            log_info(plan.result_name() + ": done, " + std::to_string(plan.tasks.size()) + " tasks");
-            return 0;
+            return whole_of_farm(plan, "done, " + std::to_string(plan.tasks.size()) + " tasks");
         }
         if (interrupted()) {
             progress.finish();

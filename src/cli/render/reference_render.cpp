@@ -3,6 +3,7 @@
 
 #include "base/interrupt.h"
 #include "bounce/bounce_box.h"
+#include "farm/farm_task.h"
 #include "live/session/picture_writer.h"
 #include "live/session/show_moment.h"
 #include "reference/light_walk.h"
@@ -129,9 +130,7 @@ Result<void> render_reference(const SessionOptions& options, const ReferenceArgu
     if (!picture.ok()) return picture.error();
     TRY_VOID(write_picture(out, *picture, options.ev100.value_or(camera.ev100), options.tone));
     log_info(out + ": reference in " + clock_text(steady_now_s() - start_s));
-    if (report.lost_anything())
-        return Error{"drawn, but something that the show asks for is missing (see above)",
-                     show.file.string()};
+    if (report.lost_anything()) return Error{kMadeButMissing, show.file.string()};
     return {};
 }
 

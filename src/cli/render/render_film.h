@@ -18,10 +18,6 @@
 
 namespace ghost::app {
 
-// What is kept of resting lights is forgotten at frames that this divides, so that a film that is drawn in
-// parts, which begin at such frames, has the bytes of the whole.
-inline constexpr long kBlockFrames = 240;
-
 // First and last frame of the range, which is given in seconds.
 std::pair<long, long> film_frames(double from_s, double to_s, int fps);
 
@@ -31,7 +27,7 @@ struct RenderArguments {
     LiveControlOptions controls;
     std::string out;
     std::string size;
-    std::string frames;    // "240-479": only these of a film, which numbers them; "": all
+    std::string frames;    // "240-479": only these of a film, without its sound; "": all
     long first_frame = -1; // of them
     long last_frame = -1;
     int threads = 0; // 0: one per core

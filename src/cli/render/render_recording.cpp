@@ -92,7 +92,8 @@ Result<void> render_recording(const RenderArguments& arguments, Session& session
         session.rig->step(player ? player->at(static_cast<double>(frame) / fps) : dmx::Universes{}, 1.0 / fps,
                           session.programmer);
         if (frame < draws_from) continue;
-        if (!pace && frame % kBlockFrames == 0) session.relighter->reset();
+        // So that a film that is drawn in parts, which begin where a block does, has the bytes of the whole.
+        if (!pace && frame % video::kFilmBlockFrames == 0) session.relighter->reset();
         scene::Camera camera = start;
         const bool rides = start.mover != scene::kNoMover && session.live;
         if (rides) camera = scene::riding(start, *session.rig);

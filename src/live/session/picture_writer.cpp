@@ -91,16 +91,19 @@ Result<void> write_picture(const std::filesystem::path& path, const image::Image
 
 Result<std::unique_ptr<PictureWriter>> PictureWriter::create(const std::filesystem::path& path, int width,
                                                              int height, int fps, bool numbered,
-                                                             int supersample, video::FilmSound sound) {
+                                                             int supersample, video::FilmSound sound,
+                                                             long first_frame) {
     std::unique_ptr<PictureWriter> writer(new PictureWriter);
     writer->path_ = path;
     writer->numbered_ = numbered;
     writer->supersample_ = supersample;
     writer->width_ = width;
     writer->height_ = height;
+    writer->first_ = writer->count_ = static_cast<int>(first_frame);
     TRY(writer->kind_, output_kind(path));
     if (writer->kind_ == OutputKind::film) {
-        TRY(writer->film_, video::FilmWriter::create(path, width, height, fps, std::move(sound)));
+        TRY(writer->film_,
+            video::FilmWriter::create(path, width, height, fps, std::move(sound), first_frame));
     }
     return writer;
 }

@@ -24,14 +24,13 @@ class PictureWriter {
 public:
     // width, height: of the file. numbered: PNG and EXR become NAME-00000.png, NAME-00001.png, ...
     // supersample: the relighter's picture is that many times as large. One that is smaller is scaled
-    // smoothly. sound: of a film; pictures have none.
+    // smoothly. sound: of a film; pictures have none. first_frame: the number of the first picture.
     static Result<std::unique_ptr<PictureWriter>> create(const std::filesystem::path& path, int width,
                                                          int height, int fps, bool numbered,
-                                                         int supersample = 1, video::FilmSound sound = {});
+                                                         int supersample = 1, video::FilmSound sound = {},
+                                                         long first_frame = 0);
     // caption: burnt into the picture, but not into EXR.
     Result<void> add(render::Relighter& relighter, const std::string& caption = {});
-    // The number of the next picture, instead of one more than that of the last.
-    void number_from(int number) { first_ = count_ = number; }
     // The last picture again, so often.
     Result<void> repeat(long times);
     Result<void> finish();

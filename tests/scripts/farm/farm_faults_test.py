@@ -68,10 +68,10 @@ def the_controller_dies(ghost, cluster, show, whole):
     wait_until((plan / "done/2.json").exists, 120, "task 2 ends without a controller")
     assert not (ghost.folder / "dead.mp4").exists() and watching.poll() is None
     cluster.start_controller()
-    # It may have forgotten what it began last: that job is held back then, and the node is drained.
+    # It may have forgotten what it was given last; what it began last is held back then, and the node is drained.
     said = watching.communicate(timeout=600)[0]
     if watching.returncode != 0:
-        assert "launch failed requeued held" in said and "farm retry" in said, said
+        assert "and nobody does more" in said and "farm retry" in said, said
         for node, state in cluster.states().items():
             if state.startswith("dr"):
                 cluster.do("scontrol", "update", f"nodename={node}", "state=resume")
@@ -89,7 +89,7 @@ def two_submissions(ghost, cluster, show, whole):
     assert sum("tasks given to Slurm" in text for text in said) == 1 and sum("; following it" in text for text in said) == 1, said
     assert whole == (ghost.folder / "twice.mp4").read_bytes()
     logs = {path.stem.split("_")[0] for path in (plan_of(show) / "log").iterdir()}
-    assert len(logs) in (3, 4), logs  # the first frame, the blocks, putting together early, and at the end, which may not have begun yet
+    assert len(logs) in (2, 3), logs  # the first frame, the blocks, and putting together, whose log may not be there yet
     print("two submissions at once: one farm, one film, both end well")
     cluster.wait_for_idle()
 

@@ -152,7 +152,7 @@ def a_pulled_cable(ghost, cluster, show, whole):
 
     def drawn_there():
         tasks = [line.split()[0] for line in cluster.jobs("R") if line.endswith(" n2")]
-        return [task for task in tasks if list((plan / "frames").glob(f"{task}.*/*.png"))]
+        return [task for task in tasks if list((plan / "frames").glob(f"{task}.*/*.mp4"))]
 
     wait_until(drawn_there, 180, "n2 draws")
     task = drawn_there()[0]

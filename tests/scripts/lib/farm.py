@@ -64,7 +64,7 @@ def started(ghost, show, out, *words):
 
 
 def wait_for_pictures(plan, task):
-    wait_until(lambda: list((plan / "frames").glob(f"{task}.*/*.png")), 180, f"task {task} draws")
+    wait_until(lambda: list((plan / "frames").glob(f"{task}.*/*.mp4")), 180, f"task {task} draws")
 
 
 def ends(watching, code, says):
