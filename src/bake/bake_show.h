@@ -23,7 +23,9 @@ namespace ghost::bake {
 // What a task of a farm bakes of its one camera: pictures only, never the manifest. A bake afterwards finds
 // them, and writes it.
 struct BakePart {
-    std::optional<std::pair<std::size_t, std::size_t>> lights; // first and last; none: the surroundings
+    bool surroundings = false; // and the first kBatch lights, which share their rays
+    std::size_t first_light = 0;
+    std::size_t last_light = 0;
 };
 
 struct BakeOptions {

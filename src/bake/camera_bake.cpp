@@ -143,9 +143,8 @@ double CameraBake::plan() {
     // A fixture that went away leaves an entry behind; parts leave pictures without one.
     if (work == 0 && !manifest_is_right_) work = 1;
     if (options_.part) {
-        work = options_.part->lights ? static_cast<double>(missing_of_part().size()) * pixels * per_light
-                                     : pixels * kSurroundingsCost;
-        if (!options_.part->lights && layout_ == Layout::kept) work = 0;
+        work = static_cast<double>(missing_of_part().size()) * pixels * per_light;
+        if (options_.part->surroundings && layout_ != Layout::kept) work += pixels * kSurroundingsCost;
     }
     return work * options_.spp;
 }
@@ -170,8 +169,10 @@ Frame CameraBake::trace(const Tracer& tracer, FrameRequest request, std::size_t 
 
 Result<void> CameraBake::write_manifest() {
     if (options_.part) {
-        if (options_.part->lights) return {};
-        return write_file_atomic(pictures() / kPartFile, scene::manifest_text(written_));
+        if (!options_.part->surroundings) return {};
+        scene::PassManifest part = written_;
+        part.lights.clear(); // which of them are there, their pictures say
+        return write_file_atomic(pictures() / kPartFile, scene::manifest_text(part));
     }
     return write_file_atomic(folder_ / "manifest.json", scene::manifest_text(written_));
 }
@@ -309,7 +310,8 @@ void CameraBake::adopt_part() {
 
 std::vector<std::size_t> CameraBake::missing_of_part() const {
     std::vector<std::size_t> missing;
-    const auto [first, last] = *options_.part->lights;
+    const std::size_t first = options_.part->surroundings ? 0 : options_.part->first_light;
+    const std::size_t last = options_.part->surroundings ? kBatch - 1 : options_.part->last_light;
     for (std::size_t k = first; k <= last && k < done_.size(); ++k)
         if (layout_ != Layout::kept || !done_[k]) missing.push_back(k);
     return missing;
@@ -318,9 +320,11 @@ std::vector<std::size_t> CameraBake::missing_of_part() const {
 Result<void> CameraBake::run_part(const Tracer& tracer, const std::function<void(double)>& on_samples,
                                   BakeStats& stats) {
     TRY_VOID(make_folders(pictures(), home_));
-    if (!options_.part->lights) return trace_batch(tracer, true, {}, on_samples, stats);
+    if (options_.part->surroundings && layout_ != Layout::kept)
+        return trace_batch(tracer, true, missing_of_part(), on_samples, stats);
     if (layout_ != Layout::kept)
         return Error{"the surroundings of camera '" + camera_.name + "' are not baked yet", folder_.string()};
+    written_ = *old_;
     wanted_.extra_count = old_->extra_count;
     TRY(scene::FragmentTable table, scene::read_fragments(pictures(), *old_));
     extra_first_ = std::move(table.extra_first);

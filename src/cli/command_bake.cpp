@@ -79,7 +79,8 @@ void print_table(const bake::BakeStats& stats) {
     print_text("\n");
 }
 
-// For each camera its surroundings, then its lights by as many as are traced together. Nothing: all is there.
+// For each camera its surroundings with its first lights, then the others by as many as are traced together.
+// Nothing: all is there.
 Result<std::optional<int>> run_on_farm(const BakeArguments& arguments, const scene::Show& show,
                                        const bake::BakeOptions& options) {
     namespace fs = std::filesystem;
@@ -99,8 +100,8 @@ Result<std::optional<int>> run_on_farm(const BakeArguments& arguments, const sce
             words.insert(words.begin(), {"--view", work.camera});
             plan.tasks.push_back({what + " of " + work.camera, stage, std::move(words)});
         };
-        add("surroundings", 0, {"--surroundings"});
-        for (std::size_t first = 0; first < work.lights; first += bake::kBatch) {
+        add("surroundings and first lights", 0, {"--surroundings"});
+        for (std::size_t first = bake::kBatch; first < work.lights; first += bake::kBatch) {
             const std::string range =
                 std::to_string(first) + "-" + std::to_string(std::min(first + bake::kBatch, work.lights) - 1);
             add("lights " + range, 1, {"--lights", range});
@@ -135,7 +136,7 @@ int run_bake(const BakeArguments& arguments) {
     options.spp = arguments.spp;
     options.bounces = arguments.bounces;
     options.threads = arguments.threads;
-    if (arguments.surroundings) options.part.emplace();
+    if (arguments.surroundings) options.part = bake::BakePart{.surroundings = true};
     if (!arguments.lights.empty()) {
         std::size_t first = 0, last = 0;
         char end = 0;
@@ -144,7 +145,7 @@ int run_bake(const BakeArguments& arguments) {
                       "' is not FIRST-LAST, two numbers of lights from 0 on");
             return 2;
         }
-        options.part = bake::BakePart{std::pair(first, last)};
+        options.part = bake::BakePart{.first_light = first, .last_light = last};
     }
     if (!arguments.farm.engine.empty()) {
         if (options.part) {
@@ -216,7 +217,8 @@ void add_bake(CLI::App& app, int& exit_code) {
         ->capture_default_str();
     CLI::Option* const surroundings =
         command->add_flag("--surroundings", arguments->surroundings,
-                          "a part: what a camera's pictures share; a bake afterwards finds it");
+                          "a part: what a camera's pictures share, and its first " +
+                              std::to_string(bake::kBatch) + " lights; a bake afterwards finds them");
     command
         ->add_option("--lights", arguments->lights,
                      "a part: these of a camera's lights, whose surroundings are there; the first is 0")
