@@ -13,6 +13,7 @@ PATH=$out/bin:$PATH
 export LC_ALL=C.UTF-8
 
 commands=$(ghostlight --help | sed -n '/^Subcommands:/,/^$/s/^  \([a-z]\+\).*/\1/p')
+words_of() { ghostlight "$1" --help | sed -n '/^Subcommands:/,/^$/s/^  \([a-z]\+\).*/\1/p' | tr '\n' ' '; }
 options_of() { ghostlight "$@" --help | sed -n 's/^  \(-[^ ]*\).*/\1/p' | tr ',' '\n' | sort -u | tr '\n' ' '; }
 
 page() { # NAME SUMMARY WORD...
@@ -29,15 +30,21 @@ done
     echo '# SPDX-License-Identifier: Apache-2.0'
     echo '# Completion of ghostlight in bash: commands, their options, files.'
     echo '_ghostlight() {'
-    echo '    local word=${COMP_WORDS[COMP_CWORD]} command=${COMP_WORDS[1]:-} words='
+    echo '    local word=${COMP_WORDS[COMP_CWORD]} command=${COMP_WORDS[1]:-} words= own=none'
     echo '    if [ "$COMP_CWORD" = 1 ]; then'
     echo "        words=\"$(echo $commands) $(options_of)\""
     echo '    else'
     echo '        case $command in'
-    for command in $commands; do echo "        $command) words=\"$(options_of "$command")\" ;;"; done
+    for command in $commands; do
+        own=$(words_of "$command")
+        options=$(options_of "$command")
+        for one in $own; do options+=$(options_of "$command" "$one"); done
+        echo "        $command) words=\"$(tr ' ' '\n' <<<"$options" | sort -u | tr '\n' ' ')\" own=\"$own\" ;;"
+    done
     echo '        esac'
+    echo '        [ "$COMP_CWORD" != 2 ] || [ -z "$own" ] || [[ $word == -* ]] || words=$own'
     echo '    fi'
-    echo '    if [ "$COMP_CWORD" = 1 ] || [[ $word == -* ]]; then'
+    echo '    if [ "$COMP_CWORD" = 1 ] || [[ $word == -* ]] || [ "$words" = "$own" ]; then'
     echo '        mapfile -t COMPREPLY < <(compgen -W "$words" -- "$word")'
     echo '    else'
     echo '        compopt -o filenames 2>/dev/null'

@@ -25,10 +25,20 @@ namespace {
 constexpr int kAsk_ms = 100;
 constexpr std::uintmax_t kMostScriptBytes = 1 << 20;
 
+bool is_set(const char* name) {
+    const char* const value = std::getenv(name);
+    return value && *value;
+}
+
 // Qt ends the program where it finds no display; it shall say what to do first.
 void take_message(QtMsgType type, const QMessageLogContext&, const QString& text) {
     if (type == QtFatalMsg) {
         log_error(text.toStdString());
+        if (is_set("WAYLAND_DISPLAY") && !is_set("DISPLAY"))
+            log_error(
+                "this display speaks Wayland alone, and Qt's part for it is not here or does not serve: "
+                "install it (on Debian qtwayland5 or qt6-wayland; the bundle cannot use it), or let "
+                "Xwayland run");
         log_error("the window needs a display (DISPLAY or WAYLAND_DISPLAY); without one, 'ghostlight render' "
                   "writes pictures and films");
         std::_Exit(1);
@@ -68,7 +78,7 @@ Result<void> run_script(const std::string& file, Window& window, Result<void>& o
 bool has_display() {
 #if defined(__linux__)
     for (const char* const name : {"DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM"})
-        if (const char* value = std::getenv(name); value && *value) return true;
+        if (is_set(name)) return true;
     return false;
 #else
     return true;

@@ -63,6 +63,14 @@ with tempfile.TemporaryDirectory(prefix="ghost-bundle-") as folder:
     paths = {run("patchelf", "--print-rpath", path).strip() for path in bundle.rglob("*.so*") if path.is_file()}
     assert all(path.startswith("$ORIGIN") or path == "" for path in paths), paths
 
+    # Completion: words of a command that has some, options, files.
+    (work / "demo").mkdir()
+    for words, expected in {"re": "record render", "farm re": "retry", "farm run --tr": "--trust", "farm run de": "demo", "render de": "demo"}.items():
+        given = words.split()
+        found = run("bash", "-c", f"source {work}/files/ghostlight.bash; COMP_WORDS=(ghostlight {words}); COMP_CWORD={len(given)}; "
+                    '_ghostlight 2>/dev/null; echo "${COMPREPLY[@]}"', cwd=work).split()
+        assert set(expected.split()) <= set(found) and all(word.startswith(given[-1]) for word in found), (words, found)
+
     # What the launcher set elsewhere comes along with a farm's job; what the user set stays.
     fake = work / "fake"
     for place in ("bin", "libexec", "share/vulkan", "share/fonts", "lib/fallback/libnobody.so.1"):
