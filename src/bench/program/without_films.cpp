@@ -53,7 +53,7 @@ bool Movie::is_cut_short() const {
 }
 
 Result<std::unique_ptr<FilmWriter>> FilmWriter::create(const std::filesystem::path& path, int, int, int,
-                                                       FilmSound) {
+                                                       FilmSound, long) {
     return refusal(path);
 }
 FilmWriter::~FilmWriter() = default;
