@@ -48,8 +48,7 @@ Result<AVCodecContext*> open_film_encoder(const std::filesystem::path& film, int
 
 Result<std::unique_ptr<FilmFile>> FilmFile::create(const std::filesystem::path& path,
                                                    const AVCodecContext& encoder,
-                                                   std::basic_string_view<std::uint8_t> described,
-                                                   FilmSound sound) {
+                                                   std::span<const std::uint8_t> described, FilmSound sound) {
     std::unique_ptr<FilmFile> film(new FilmFile);
     film->path_ = path;
     film->temporary_ = temporary_beside(path);
@@ -57,7 +56,7 @@ Result<std::unique_ptr<FilmFile>> FilmFile::create(const std::filesystem::path& 
     return film;
 }
 
-Result<void> FilmFile::open(const AVCodecContext& encoder, std::basic_string_view<std::uint8_t> described,
+Result<void> FilmFile::open(const AVCodecContext& encoder, std::span<const std::uint8_t> described,
                             FilmSound sound) {
     fps_ = encoder.time_base.den;
     delay_ = encoder.has_b_frames;

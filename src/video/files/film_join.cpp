@@ -4,6 +4,7 @@
 #include "video/files/private/ffmpeg.h"
 #include "video/files/private/film_file.h"
 
+#include <algorithm>
 #include <utility>
 
 extern "C" {
@@ -13,8 +14,6 @@ extern "C" {
 
 namespace ghost::video {
 namespace {
-
-using Described = std::basic_string_view<std::uint8_t>;
 
 struct OpenPart {
     AVFormatContext* file = nullptr;
@@ -37,7 +36,7 @@ struct OpenPart {
         return {};
     }
     const AVCodecParameters& codec() const { return *stream->codecpar; }
-    Described described() const {
+    std::span<const std::uint8_t> described() const {
         return {codec().extradata, static_cast<std::size_t>(codec().extradata_size)};
     }
 };
@@ -65,7 +64,8 @@ struct Joined {
     Result<void> add(OpenPart& part, const FilmPart& expected) {
         const auto error = [&](const std::string& what) { return Error{what, expected.path.string()}; };
         if (part.codec().width != first.codec().width || part.codec().height != first.codec().height ||
-            part.codec().codec_id != first.codec().codec_id || part.described() != first.described())
+            part.codec().codec_id != first.codec().codec_id ||
+            !std::ranges::equal(part.described(), first.described()))
             return error("is of another size or encoder than the film's first part");
         long read = 0;
         for (int code; (code = av_read_frame(part.file, part.packet)) != AVERROR_EOF; ++read) {

@@ -10,8 +10,8 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <span>
 #include <string>
-#include <string_view>
 
 struct AVCodecContext;
 struct AVFormatContext;
@@ -29,8 +29,7 @@ public:
     // another file whose packets are copied.
     static Result<std::unique_ptr<FilmFile>> create(const std::filesystem::path& path,
                                                     const AVCodecContext& encoder,
-                                                    std::basic_string_view<std::uint8_t> described,
-                                                    FilmSound sound);
+                                                    std::span<const std::uint8_t> described, FilmSound sound);
     ~FilmFile(); // without finish(): nothing is left behind
     FilmFile(const FilmFile&) = delete;
     FilmFile& operator=(const FilmFile&) = delete;
@@ -45,7 +44,7 @@ public:
 
 private:
     FilmFile() = default;
-    Result<void> open(const AVCodecContext& encoder, std::basic_string_view<std::uint8_t> described,
+    Result<void> open(const AVCodecContext& encoder, std::span<const std::uint8_t> described,
                       FilmSound sound);
 
     std::filesystem::path path_;
