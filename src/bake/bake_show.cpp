@@ -81,6 +81,11 @@ Result<BakeStats> bake_all(const scene::Show& show, const BakeOptions& options, 
     const auto& jobs = compared->jobs;
     const scene::Stage& stage = compared->stage;
     const double work = compared->work;
+    if (const auto& part = options.part; part && !part->surroundings && !jobs.empty())
+        if (const std::size_t lights = jobs[0]->light_count(); part->first_light >= lights)
+            return Error{"camera '" + options.views[0] + "' has " + std::to_string(lights) +
+                             " lights, the first is 0",
+                         ""};
     BakeStats stats;
     stats.cameras = static_cast<int>(jobs.size());
     // Building the ray tracer takes longer than finding out that nothing changed.

@@ -92,11 +92,11 @@ bool CameraBake::surroundings_complete(const scene::FragmentTable& table) const 
 double CameraBake::plan() {
     // A manifest that cannot be read is no manifest: everything is baked.
     if (auto manifest = scene::read_manifest(folder_); manifest.ok()) old_ = std::move(*manifest);
-    adopt_part();
     const auto same_light = [](const scene::ManifestLight& a, const scene::ManifestLight& b) {
         return a.key == b.key && a.picture == b.picture;
     };
-    manifest_is_right_ = old_ && std::ranges::equal(old_->lights, wanted_.lights, same_light);
+    const bool is_adopted = adopt_part();
+    manifest_is_right_ = !is_adopted && old_ && std::ranges::equal(old_->lights, wanted_.lights, same_light);
     const double pixels = static_cast<double>(camera_.width) * camera_.height;
     double patch_pixels = 0;
     std::optional<scene::FragmentTable> table;
@@ -298,14 +298,15 @@ Result<void> CameraBake::run(const Tracer& tracer, const std::function<void(doub
     return {};
 }
 
-void CameraBake::adopt_part() {
-    if (old_ && old_->layout_key == wanted_.layout_key) return;
+bool CameraBake::adopt_part() {
+    if (old_ && old_->layout_key == wanted_.layout_key) return false;
     const fs::path file = pictures() / kPartFile;
     const auto text = read_text_file(file, kMostPartBytes);
-    if (!text.ok()) return;
-    if (auto part = scene::parse_manifest(*text, file.string());
-        part.ok() && part->layout_key == wanted_.layout_key && part->folder == wanted_.folder)
-        old_ = std::move(*part);
+    if (!text.ok()) return false;
+    auto part = scene::parse_manifest(*text, file.string());
+    if (!part.ok() || part->layout_key != wanted_.layout_key || part->folder != wanted_.folder) return false;
+    old_ = std::move(*part);
+    return true;
 }
 
 std::vector<std::size_t> CameraBake::missing_of_part() const {

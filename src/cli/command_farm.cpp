@@ -67,7 +67,8 @@ void add_farm(CLI::App& app, int& exit_code) {
     add_trusting("cancel", "take it back from the engine; what is done stays", cancel_farm);
     add_trusting("assemble", "put together what the tasks made", [](const FarmPlan& plan) {
         catch_interrupts();
-        return ended(assemble_farm(plan));
+        const Result<void> done = assemble_farm(plan);
+        return done.ok() ? whole_of_farm(plan, "put together") : ended(done);
     });
     add("tasks", "the numbers of the tasks that are missing, one a line", [](const FarmPlan& plan) {
         for (const std::size_t task : missing_tasks(plan)) print_text("%zu\n", task);

@@ -313,11 +313,12 @@ void add_render(CLI::App& app, int& exit_code) {
         ->excludes("--at");
     command->add_option("--fps", a->fps, "frames a second")->check(CLI::Range(1, 240))->capture_default_str();
     command
-        ->add_option(
-            "--frames", a->frames,
-            "only these pictures of the film, numbered as they are from second 0 on; drawn in parts that "
-            "begin at multiples of " +
-                std::to_string(video::kFilmBlockFrames) + " it has the bytes of the whole")
+        ->add_option("--frames", a->frames,
+                     "only these pictures of the film, without its sound, numbered as they are from second 0 "
+                     "on; drawn "
+                     "in parts that "
+                     "begin at multiples of " +
+                         std::to_string(video::kFilmBlockFrames) + " it has the bytes of the whole")
         ->type_name("FIRST-LAST");
     command->add_option("--threads", a->threads, "processor threads (0: one per core)")
         ->check(CLI::Range(0, 1024))

@@ -41,7 +41,10 @@ Result<void> do_here(const FarmPlan& plan, const std::vector<std::size_t>& tasks
     for (const int stage : {0, 1}) {
         int running = 0;
         const auto wait_for_one = [&] {
-            if (wait_for_child() < 0) return;
+            if (wait_for_child() < 0) {
+                running = 0;
+                return;
+            }
             --running;
             ++ended;
             progress.update(static_cast<double>(ended) / static_cast<double>(tasks.size()), steady_now_s(),
@@ -55,7 +58,7 @@ Result<void> do_here(const FarmPlan& plan, const std::vector<std::size_t>& tasks
             ++running;
         }
         while (running > 0) wait_for_one();
-        for (std::size_t task = 0; task < plan.tasks.size(); ++task)
+        for (std::size_t task = 0; task < plan.tasks.size() && !interrupted(); ++task)
             if (plan.tasks[task].stage == stage && stage == 0 && !done_of(plan, task)) {
                 progress.finish();
                 return assemble_farm(plan); // which says why it cannot
@@ -152,10 +155,20 @@ std::vector<std::string> words_without(const std::map<std::string, int>& options
         left_out[name] = 1;
     std::ifstream file("/proc/self/cmdline", std::ios::binary);
     std::vector<std::string> words;
-    int skip = 1; // the program
+    int skip = 1;           // the program
+    bool are_names = false; // what comes behind "--"
     for (std::string word; std::getline(file, word, '\0');) {
         if (skip > 0) {
             --skip;
+            continue;
+        }
+        // Options of tasks come behind them, and shall not be taken for names.
+        if (are_names) {
+            words.push_back(word.starts_with('-') ? "./" + word : word);
+            continue;
+        }
+        if (word == "--") {
+            are_names = true;
             continue;
         }
         const auto found = left_out.find(word.substr(0, word.find('=')));

@@ -5,6 +5,7 @@
 
 #include "farm/farm_plan.h"
 
+#include <optional>
 #include <set>
 
 namespace ghost::app {
@@ -44,7 +45,7 @@ Submitted read_submitted(const FarmPlan& plan); // nothing where none is there
 struct SlurmJob {
     std::string state; // RUNNING, PENDING ..
     std::string node, reason;
-    bool is_task = false; // else it puts together
+    std::optional<std::size_t> index; // of an array's task; else it puts together
 };
 // Arrays of these tasks, the second after the first, and a job that assembles; the numbers of the jobs.
 Result<std::vector<std::string>> submit_to_slurm(const FarmPlan& plan, const std::vector<std::size_t>& tasks,
@@ -54,8 +55,8 @@ Result<std::vector<SlurmJob>> slurm_jobs(const std::vector<std::string>& jobs);
 // Not where Slurm holds back what it could not begin, and all others wait for that.
 bool anybody_works(const std::vector<SlurmJob>& jobs);
 // Where they could not even begin, as far as Slurm remembers it. Slurm 24 begins them also where there is no
-// place for their log: or_said_nothing takes those that failed, of which none left a word.
-std::set<std::string> nodes_that_could_not_begin(const std::vector<std::string>& jobs, bool or_said_nothing);
+// place for their log: so those that failed without having left a word count, too.
+std::set<std::string> nodes_that_could_not_begin(const FarmPlan& plan, const std::vector<std::string>& jobs);
 Result<void> cancel_slurm(const std::vector<std::string>& jobs);
 
 } // namespace ghost::app

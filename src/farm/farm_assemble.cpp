@@ -57,27 +57,24 @@ Result<void> check_whole(const FarmPlan& plan) {
 }
 
 // What a task left is made again.
-Error damaged(const FarmPlan& plan, std::size_t task, const fs::path& file) {
+Error damaged(const FarmPlan& plan, std::size_t task, const std::string& what, const std::string& file) {
     std::error_code code;
     fs::remove(plan.done_file(task), code);
-    return Error{"is not what its task wrote; ghostlight farm retry makes it again", file.string()};
+    return Error{what + "; ghostlight farm retry makes it again", file};
 }
 
 // As the task wrote it.
 Result<std::vector<std::uint8_t>> bytes_of(const FarmPlan& plan, std::size_t task, const FarmDone& done,
                                            const std::string& name) {
     const auto expected = done.files.find(name);
-    if (expected == done.files.end()) return Error{"has no " + name, plan.tasks[task].name};
+    if (expected == done.files.end()) return damaged(plan, task, "has no " + name, plan.tasks[task].name);
     const fs::path file = plan.folder / "frames" / done.folder / name;
+    std::error_code code;
+    if (fs::is_symlink(file, code)) return damaged(plan, task, "is a link", file.string());
     auto bytes = read_file(file, kMostPictureBytes);
     if (bytes.ok() && bytes->size() == expected->second.first && crc32(*bytes) == expected->second.second)
         return bytes;
-    return damaged(plan, task, file);
-}
-
-std::string number_text(long number) {
-    std::string digits = std::to_string(number);
-    return "-" + std::string(digits.size() < 5 ? 5 - digits.size() : 0, '0') + digits;
+    return damaged(plan, task, "is not what its task wrote", file.string());
 }
 
 // Of a film whose first picture has this number. What is drawn in parts has no sound; it comes with the film.
@@ -90,6 +87,7 @@ Result<video::FilmSound> sound_of(const FarmPlan& plan, long first_frame) {
 Result<FarmDone> write_film(const FarmPlan& plan) {
     FarmDone result;
     std::vector<video::FilmPart> parts;
+    std::vector<std::pair<std::size_t, std::string>> makers; // of each: its task and node
     long first_frame = -1;
     for (std::size_t task = 0; task < plan.tasks.size(); ++task) {
         if (plan.tasks[task].first_frame < 0) continue;
@@ -100,11 +98,18 @@ Result<FarmDone> write_film(const FarmPlan& plan) {
         TRY_VOID(bytes_of(plan, task, *done, plan.part_name()));
         parts.push_back({plan.folder / "frames" / done->folder / plan.part_name(),
                          plan.tasks[task].last_frame - plan.tasks[task].first_frame + 1});
+        makers.emplace_back(task, done->host);
         if (first_frame < 0) first_frame = plan.tasks[task].first_frame;
     }
     TRY(video::FilmSound sound, sound_of(plan, first_frame));
-    TRY(const std::string problem, video::join_films(plan.out, parts, plan.fps, std::move(sound)));
-    if (!problem.empty()) log_warning(plan.show.string() + ": its sound: " + problem);
+    const Result<std::string> problem = video::join_films(plan.out, parts, plan.fps, std::move(sound));
+    for (std::size_t k = 0; k < parts.size() && !problem.ok(); ++k)
+        if (problem.error().where == parts[k].path.string())
+            return damaged(plan, makers[k].first,
+                           problem.error().what + " (made on " + makers[k].second + ")",
+                           problem.error().where);
+    if (!problem.ok()) return problem.error();
+    if (!problem->empty()) log_warning(plan.show.string() + ": its sound: " + *problem);
     std::error_code code;
     result.files[plan.out.filename().string()] = {fs::file_size(plan.out, code), 0};
     return result;
@@ -125,12 +130,10 @@ Result<FarmDone> write_pictures(const FarmPlan& plan) {
             if (interrupted()) return Error{"interrupted: nothing more is written", plan.out.string()};
             const std::string name = "f" + number_text(frame) + ending;
             TRY(const std::vector<std::uint8_t> bytes, bytes_of(plan, task, *done, name));
-            fs::path to = plan.out;
-            to.replace_filename(to.stem().string() + number_text(number) + ending);
-            TRY_VOID(write_file_atomic(to, bytes));
-            result.files[to.filename().string()] = done->files.at(name);
+            TRY_VOID(write_file_atomic(plan.picture_file(number), bytes));
         }
     }
+    result.pictures = number;
     return result;
 }
 
@@ -142,8 +145,7 @@ Result<FarmDone> finish_bake(const FarmPlan& plan) {
     for (std::size_t task = 0; task < plan.tasks.size(); ++task)
         if (plan.tasks[task].stage == 0 && plan.tasks[task].words.size() > 1)
             words.insert(words.end(), plan.tasks[task].words.begin(), plan.tasks[task].words.begin() + 2);
-    if (const int threads = farm_threads(); threads > 0)
-        words.insert(words.end(), {"--threads", std::to_string(threads)});
+    take_farm_threads(words);
     TRY(const ChildResult child, run_child(words, plan.from, true));
     FarmDone result;
     result.lacks_something = said_made_but_missing(child);
@@ -167,7 +169,7 @@ Result<void> assemble(const FarmPlan& plan) {
 Result<void> assemble_farm(const FarmPlan& plan) {
     if (has_result(plan)) {
         log_info(plan.result_name() + ": is done already");
-        return {};
+        return check_ours(plan).ok() ? remove_pictures(plan) : Result<void>{}; // where who made it was killed
     }
     TRY_VOID(check_ours(plan));
     TRY_VOID(make_plan_folders(plan));

@@ -11,6 +11,7 @@
 #include "farm/private/own_plans.h"
 #include "json_xml_toml/json.h"
 #include "live/session/passes_sources.h"
+#include "video/files/film.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -25,6 +26,7 @@ using nlohmann::json;
 constexpr int kPlanVersion = 1;
 constexpr JsonLimits kPlanLimits{.bytes = std::size_t{16} << 20, .values = 20 * kMostFarmTasks};
 constexpr JsonLimits kDoneLimits{.bytes = std::size_t{4} << 20};
+constexpr long kMostPictures = 24 * 3600 * 240; // that are looked for; a day
 constexpr std::uintmax_t kMostProgramBytes = std::uintmax_t{1} << 30;
 constexpr std::uintmax_t kMostFailureBytes = 1 << 16;
 constexpr std::uintmax_t kMostNameBytes = 64;
@@ -76,6 +78,7 @@ std::string text_of(const FarmDone& done) {
                  {"passes", done.passes},
                  {"folder", done.folder},
                  {"lacks_something", done.lacks_something},
+                 {"pictures", done.pictures},
                  {"files", files}})
                .dump(-1, ' ', false, json::error_handler_t::replace) +
            "\n";
@@ -123,6 +126,7 @@ std::optional<FarmDone> read_done(const fs::path& file) {
         done.passes = all->at("passes").get<std::string>();
         done.folder = all->at("folder").get<std::string>();
         done.lacks_something = all->at("lacks_something").get<bool>();
+        done.pictures = all->at("pictures").get<long>();
         for (const auto& [name, entry] : all->at("files").items())
             done.files[name] = {entry.at(0).get<std::uintmax_t>(), entry.at(1).get<std::uint32_t>()};
         if (done.folder.find('/') != std::string::npos || done.folder == "..") return std::nullopt;
@@ -133,6 +137,17 @@ std::optional<FarmDone> read_done(const fs::path& file) {
 }
 
 } // namespace
+
+std::string number_text(long number) {
+    std::string digits = std::to_string(number);
+    return "-" + std::string(digits.size() < 5 ? 5 - digits.size() : 0, '0') + digits;
+}
+
+fs::path FarmPlan::picture_file(long number) const {
+    fs::path file = out;
+    file.replace_filename(out.stem().string() + number_text(number) + out.extension().string());
+    return file;
+}
 
 fs::path FarmPlan::done_file(std::size_t task) const {
     return folder / "done" / (std::to_string(task) + ".json");
@@ -152,6 +167,7 @@ Result<std::string> farm_build() {
     TRY(const std::vector<std::uint8_t> program, read_file("/proc/self/exe", kMostProgramBytes));
     bake::Hasher hasher;
     hasher.list(program);
+    hasher.text(video::film_encoder());
     return hasher.hex();
 }
 
@@ -275,7 +291,8 @@ Result<FarmPlan> find_plan(const std::string& name) {
 
 std::optional<FarmDone> done_of(const FarmPlan& plan, std::size_t task) {
     auto done = read_done(plan.done_file(task));
-    if (!done) return std::nullopt;
+    if (!done || (!done->folder.empty() && !done->folder.starts_with(std::to_string(task) + ".")))
+        return std::nullopt;
     std::error_code code;
     for (const auto& [name, file] : done->files)
         if (fs::file_size(plan.folder / "frames" / done->folder / name, code) != file.first || code)
@@ -318,6 +335,8 @@ bool has_result(const FarmPlan& plan) {
     std::error_code code;
     for (const auto& [name, file] : result->files)
         if (fs::file_size(plan.out.parent_path() / name, code) != file.first || code) return false;
+    for (long number = 0; number < std::min(result->pictures, kMostPictures); ++number)
+        if (fs::file_size(plan.picture_file(number), code) == 0 || code) return false;
     return true;
 }
 
@@ -335,10 +354,15 @@ Result<void> check_ours(const FarmPlan& plan) {
 std::string failure_of(const FarmPlan& plan, std::size_t task) {
     const auto text = read_text_file(plan.failed_file(task), kMostFailureBytes);
     if (!text.ok()) return {};
-    std::string last = *text;
-    while (!last.empty() && last.back() == '\n') last.pop_back();
-    if (const std::size_t line = last.rfind('\n'); line != std::string::npos) last.erase(0, line + 1);
-    return last.empty() ? "failed without a word" : last;
+    std::string all = *text;
+    for (;;) {
+        while (!all.empty() && all.back() == '\n') all.pop_back();
+        const std::size_t line = all.rfind('\n') + 1; // 0 where there is one line
+        const std::string last = all.substr(line);
+        if (last.empty()) return "failed without a word";
+        if (line == 0 || !last.starts_with("Run with --help")) return last; // says nothing of what is wrong
+        all.resize(line);
+    }
 }
 
 } // namespace ghost::app

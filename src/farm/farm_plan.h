@@ -50,6 +50,7 @@ struct FarmPlan {
     bool is_one_file() const { return out.extension() == ".mp4"; }                // else numbered pictures
     std::string part_name() const { return "part" + out.extension().string(); }   // of what is one file
     std::string result_name() const { return (is_film() ? out : show).string(); } // for messages
+    std::filesystem::path picture_file(long number) const; // of numbered pictures, beside out
     std::filesystem::path done_file(std::size_t task) const;
     std::filesystem::path failed_file(std::size_t task) const;
     // What a whole result leaves behind: its film is written, its passes are in the manifest.
@@ -62,11 +63,14 @@ struct FarmDone {
     std::string passes;           // of a film's camera, as it was drawn from
     std::string folder;           // of what it left, in frames/
     bool lacks_something = false; // that the show asks for, like a fixture's file
+    long pictures = 0;            // of a whole result of numbered ones
     std::map<std::string, std::pair<std::uintmax_t, std::uint32_t>> files; // size and CRC
 };
 
-// Of the program that runs.
+// Of the program that runs, and of what encodes films.
 Result<std::string> farm_build();
+// "-00042"; more digits from 100,000 on.
+std::string number_text(long number);
 // Of all files that a show is made of, and these beside it; not of what is baked.
 std::string farm_inputs(const scene::Show& show, const std::vector<std::filesystem::path>& also);
 

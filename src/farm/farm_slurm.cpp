@@ -118,8 +118,12 @@ Result<std::vector<SlurmJob>> jobs_in(const std::vector<std::string>& jobs, cons
         if (parts.size() < 3) continue;
         const std::string id = parts[0].substr(0, parts[0].find('_'));
         if (parts[1] == "COMPLETING" || std::find(jobs.begin(), jobs.end(), id) == jobs.end()) continue;
-        found.push_back({parts[1], parts[2], parts.size() > 3 ? parts[3] : "",
-                         parts[0].find('_') != std::string::npos}); // of an array
+        SlurmJob& job =
+            found.emplace_back(SlurmJob{parts[1], parts[2], parts.size() > 3 ? parts[3] : "", {}});
+        if (const std::size_t of_array = parts[0].find('_'); of_array != std::string::npos) {
+            job.index.emplace();
+            std::from_chars(parts[0].data() + of_array + 1, parts[0].data() + parts[0].size(), *job.index);
+        }
     }
     return found;
 }
@@ -176,14 +180,19 @@ bool anybody_works(const std::vector<SlurmJob>& jobs) {
     });
 }
 
-std::set<std::string> nodes_that_could_not_begin(const std::vector<std::string>& jobs, bool or_said_nothing) {
+std::set<std::string> nodes_that_could_not_begin(const FarmPlan& plan, const std::vector<std::string>& jobs) {
     std::set<std::string> nodes;
     const auto failed = jobs_in(jobs, "FAILED");
-    if (!failed.ok()) return nodes;
+    if (!failed.ok() || failed->empty()) return nodes;
+    const std::size_t most = array_size();
+    const auto is_silent = [&](const SlurmJob& job) {
+        if (!job.index || job.reason != "NonZeroExitCode") return false;
+        for (std::size_t task = *job.index; task < plan.tasks.size(); task += most)
+            if (!done_of(plan, task) && failure_of(plan, task).empty()) return true;
+        return false;
+    };
     for (const SlurmJob& job : *failed)
-        if (job.reason == "JobLaunchFailure" ||
-            (or_said_nothing && job.is_task && job.reason == "NonZeroExitCode"))
-            nodes.insert(job.node);
+        if (job.reason == "JobLaunchFailure" || is_silent(job)) nodes.insert(job.node);
     return nodes;
 }
 

@@ -11,6 +11,7 @@
 #include "show/show.h"
 #include "show_folder/load_show.h"
 
+#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
@@ -59,7 +60,8 @@ std::string random_name() {
 // Of what the show is made of, the first that is not here; "": all is.
 fs::path unseen_file(const FarmPlan& plan, const scene::Show& show) {
     std::vector<fs::path> files = plan.also;
-    files.insert(files.end(), {show.stage_file, show.plot_file});
+    files.insert(files.end(), {show.stage_file, show.plot_file, show.sound.file});
+    for (const scene::Camera& camera : show.cameras) files.push_back(camera.foreign_passes);
     for (const scene::Model& model : show.models) files.push_back(model.file);
     for (const scene::Media& media : show.media) files.push_back(media.file);
     for (const scene::PatchedFixture& fixture : show.fixtures) files.push_back(show.folder / fixture.gdtf);
@@ -117,8 +119,7 @@ Result<void> run_task(const FarmPlan& plan, std::size_t task) {
             {"-o", (pictures / (plan.is_one_file() ? plan.part_name() : "f" + plan.out.extension().string()))
                        .string()});
     }
-    if (const int threads = farm_threads(); threads > 0)
-        words.insert(words.end(), {"--threads", std::to_string(threads)});
+    take_farm_threads(words);
     const auto begun = std::chrono::steady_clock::now();
     const Result<ChildResult> child = run_child(words, plan.from, true);
     const auto give_up = [&](Error error) {
@@ -179,7 +180,8 @@ Result<void> check_same(const FarmPlan& plan) {
     TRY(const std::string build, farm_build());
     if (build != plan.build)
         return Error{"the ghostlight of " + node_name() +
-                         " is another build than the one that made the plan; all machines need the same",
+                         " is another build than the one that made the plan, or has another FFmpeg; all "
+                         "machines need the same",
                      plan.folder.string()};
     std::error_code code;
     if (!fs::exists(plan.show, code))
@@ -199,8 +201,17 @@ bool passes_changed(const FarmPlan& plan) {
     return show.ok() && passes_of(plan, *show) != *first;
 }
 
-int farm_threads() {
-    return number_in_environment("SLURM_CPUS_PER_TASK");
+void take_farm_threads(std::vector<std::string>& words) {
+    const int threads = number_in_environment("SLURM_CPUS_PER_TASK");
+    if (threads <= 0) return;
+    for (std::size_t k = 0; k < words.size();) {
+        const bool is_whole = words[k] == "--threads", has_value = words[k].starts_with("--threads=");
+        const std::size_t many = is_whole ? std::min<std::size_t>(2, words.size() - k) : has_value ? 1 : 0;
+        const auto at = words.begin() + static_cast<std::ptrdiff_t>(k);
+        words.erase(at, at + static_cast<std::ptrdiff_t>(many));
+        if (many == 0) ++k;
+    }
+    words.insert(words.end(), {"--threads", std::to_string(threads)});
 }
 
 Result<void> run_farm_task(const FarmPlan& plan, std::size_t task) {
@@ -219,6 +230,8 @@ Result<void> run_farm_task(const FarmPlan& plan, std::size_t task) {
         fs::remove(plan.failed_file(task), code);
         return {};
     }
+    // Who did it by hand knows.
+    if (interrupted() && std::getenv("SLURM_JOB_ID") == nullptr) return done;
     if (const Result<void> kept = write_file_atomic(plan.failed_file(task), done.error().text() + "\n");
         !kept.ok())
         log_warning(kept.error().text());

@@ -27,7 +27,7 @@ Result<void> check_same(const FarmPlan& plan);
 // The passes that a film was begun with were baked anew since: what is done of it is of no use.
 bool passes_changed(const FarmPlan& plan);
 
-// Where Slurm says how many processors a task has; 0: it does not.
-int farm_threads();
+// Where Slurm says how many processors a task has, the program in these words takes so many threads.
+void take_farm_threads(std::vector<std::string>& words);
 
 } // namespace ghost::app

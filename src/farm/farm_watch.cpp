@@ -27,7 +27,6 @@ constexpr std::uintmax_t kFull = 65536; // bytes; a disk that has fewer holds no
 
 struct Counts {
     std::size_t done = 0, failed = 0;
-    bool first_is_silent = false; // a task before which no other can begin is not done and says nothing
     std::string first_failure;
 };
 
@@ -41,10 +40,7 @@ Counts count(const FarmPlan& plan, bool is_whole) {
             continue;
         }
         const std::string why = failure_of(plan, task);
-        if (why.empty()) {
-            counts.first_is_silent |= is_task && plan.tasks[task].stage == 0;
-            continue;
-        }
+        if (why.empty()) continue;
         if (is_task) ++counts.failed;
         if (counts.first_failure.empty())
             counts.first_failure =
@@ -103,11 +99,9 @@ std::string reason(const FarmPlan& plan, const Counts& counts) {
     if (counts.done + counts.failed < plan.tasks.size()) { // some ended without a word
         std::error_code code;
         const Submitted submitted = read_submitted(plan);
-        std::vector<std::string> jobs;
-        if (submitted.options.engine == "slurm") jobs = submitted.jobs;
-        if (counts.first_is_silent && !jobs.empty()) jobs.resize(1); // all others failed for it
-        const std::set<std::string> nodes =
-            nodes_that_could_not_begin(jobs, counts.first_is_silent || counts.failed == 0);
+        const std::set<std::string> nodes = submitted.options.engine == "slurm"
+                                                ? nodes_that_could_not_begin(plan, submitted.jobs)
+                                                : std::set<std::string>();
         if (const auto space = fs::space(plan.folder, code); !code && space.available < kFull)
             text += "; the disk is full: " + plan.folder.string();
         else if (!nodes.empty())
@@ -116,8 +110,8 @@ std::string reason(const FarmPlan& plan, const Counts& counts) {
     }
     if (!counts.first_failure.empty())
         text += "; " + counts.first_failure;
-    else if (text.empty())
-        text = "; its logs: " + (plan.folder / "log").string();
+    else
+        text += "; its logs: " + (plan.folder / "log").string();
     const std::string retry = "ghostlight farm retry";
     return text.find(retry) != std::string::npos ? text : text + "; " + retry + " does what is missing";
 }

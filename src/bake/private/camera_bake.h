@@ -51,7 +51,7 @@ private:
     Result<void> write_manifest();
     void remove_unwanted() const;
     // Surroundings that a part baked, as a manifest without lights.
-    void adopt_part();
+    bool adopt_part(); // true: it did
     std::vector<std::size_t> missing_of_part() const;
     std::filesystem::path pictures() const { return folder_ / wanted_.folder; }
 

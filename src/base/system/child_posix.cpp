@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cerrno>
+#include <csignal>
 #include <cstring>
 #include <fcntl.h>
 #include <spawn.h>
@@ -29,6 +30,10 @@ struct Actions {
 };
 
 Result<int> spawn(const std::vector<std::string>& words, const Actions& actions) {
+    // Who started us may ignore what becomes of children, which is passed on; then nobody can wait for one.
+    struct sigaction before = {};
+    if (::sigaction(SIGCHLD, nullptr, &before) == 0 && before.sa_handler == SIG_IGN)
+        ::signal(SIGCHLD, SIG_DFL);
     pid_t process = 0;
     const int fault =
         ::posix_spawnp(&process, words[0].c_str(), &actions.value, nullptr, pointers(words).data(), environ);
@@ -66,8 +71,10 @@ Result<ChildResult> run_child(const std::vector<std::string>& words, const std::
     if (result.output.size() > kMostChildOutput)
         result.output.erase(0, result.output.size() - kMostChildOutput);
     int status = 0;
-    while (::waitpid(*process, &status, 0) < 0 && errno == EINTR) {
-    }
+    pid_t ended = 0;
+    do ended = ::waitpid(*process, &status, 0);
+    while (ended < 0 && errno == EINTR);
+    if (ended < 0) return Error{"ended, nobody knows how: " + std::string(std::strerror(errno)), words[0]};
     result.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
     return result;
 }

@@ -24,6 +24,9 @@ struct FilmSound {
     double begin_s = 0; // second of the sound at the film's first picture; below 0: it comes later
 };
 
+// What encodes films here, with its version: another one makes other bytes.
+std::string film_encoder();
+
 class FilmWriter {
 public:
     // Sizes are cut to even numbers, as 4:2:0 asks. first_frame: the number of the first picture. Error: no

@@ -10,16 +10,30 @@
 extern "C" {
 #include <libavcodec/avcodec.h>
 #include <libavformat/avformat.h>
+#include <libavutil/avutil.h>
 #include <libavutil/mem.h>
 #include <libavutil/opt.h>
 }
 
 namespace ghost::video {
 
+namespace {
+
+const AVCodec* best_encoder() {
+    const AVCodec* const encoder = avcodec_find_encoder_by_name("libx264");
+    return encoder ? encoder : avcodec_find_encoder(AV_CODEC_ID_MPEG4);
+}
+
+} // namespace
+
+std::string film_encoder() {
+    const AVCodec* const encoder = best_encoder();
+    return std::string(encoder ? encoder->name : "none") + ", FFmpeg " + av_version_info();
+}
+
 Result<AVCodecContext*> open_film_encoder(const std::filesystem::path& film, int width, int height, int fps) {
     av_log_set_level(AV_LOG_WARNING); // the encoder's figures would tear our progress bar
-    const AVCodec* encoder = avcodec_find_encoder_by_name("libx264");
-    if (!encoder) encoder = avcodec_find_encoder(AV_CODEC_ID_MPEG4);
+    const AVCodec* const encoder = best_encoder();
     if (!encoder) return Error{"this FFmpeg has neither an H.264 nor an MPEG-4 encoder", film.string()};
     AVCodecContext* codec = avcodec_alloc_context3(encoder);
     if (!codec) return Error{"out of memory", film.string()};

@@ -51,12 +51,13 @@ struct Joined {
 
     ~Joined() { avcodec_free_context(&encoder); }
 
-    Result<void> begin(const std::filesystem::path& path, FilmSound sound) {
+    // name: of the first part.
+    Result<void> begin(const std::filesystem::path& path, const std::string& name, FilmSound sound) {
         TRY(encoder, open_film_encoder(path, first.codec().width, first.codec().height, fps));
         if (first.codec().codec_id != encoder->codec_id)
             return Error{std::string("was encoded as ") + avcodec_get_name(first.codec().codec_id) +
                              ", which this machine does not",
-                         first.file->url};
+                         name};
         TRY(film, FilmFile::create(path, *encoder, first.described(), std::move(sound)));
         return {};
     }
@@ -92,7 +93,7 @@ Result<std::string> join_films(const std::filesystem::path& path, const std::vec
     Joined joined;
     joined.fps = fps;
     TRY_VOID(joined.first.open(parts.front().path));
-    TRY_VOID(joined.begin(path, std::move(sound)));
+    TRY_VOID(joined.begin(path, parts.front().path.string(), std::move(sound)));
     TRY_VOID(joined.add(joined.first, parts.front()));
     for (std::size_t k = 1; k < parts.size(); ++k) {
         OpenPart part;

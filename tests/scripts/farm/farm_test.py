@@ -4,9 +4,13 @@
 Usage: farm_test.py SOURCE_FOLDER BUILD_FOLDER."""
 import os
 import pathlib
+import re
 import shutil
+import signal
+import subprocess
 import sys
 import tempfile
+import zlib
 
 SOURCE, BUILD = pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2])
 sys.path.insert(0, str(SOURCE / "tests/scripts/lib"))
@@ -53,6 +57,9 @@ def films(show):
     assert (work / "part-00480.png").exists() and numbered(work, "part") == whole[300:321]
     ghost.run("render", show, "-o", "cut.png", *FILM, "--farm", "local", "--farm-jobs", "2", says="4 tasks")
     assert numbered(work, "cut") == whole
+    # Of however many pictures the note says as much.
+    assert (plan_of(show) / "done/result.json").stat().st_size < 300
+    ghost.run("farm", "status", show, says="4 of 4 tasks done, all put together")
     ghost.run("render", show, "-o", "cut.mp4", *FILM, "--farm", "local")
     assert (work / "cut.mp4").read_bytes() == (work / "whole.mp4").read_bytes()
     plan = plan_of(show)
@@ -113,7 +120,8 @@ def a_show_that_lacks_something(show):
     ghost.run(*words, "-o", "poor.mp4", code=1, says=said)
     ghost.run(*words, "-o", "poorcut.mp4", "--farm", "local", code=1, says=said)
     assert (work / "poor.mp4").read_bytes() == (work / "poorcut.mp4").read_bytes()
-    ghost.run("farm", "wait", poor, code=1, says=said)
+    for word in ("wait", "assemble"):
+        ghost.run("farm", word, poor, code=1, says=said)
     ghost.run(*words, "-o", "poorcut.mp4", "--farm", "local", code=1, says="is done already")
     ghost.run("bake", poor, "--view", "close", "--spp", "3", code=1, says=said)
     expected = files_of(poor / ".ghost/passes")
@@ -122,6 +130,57 @@ def a_show_that_lacks_something(show):
     found = files_of(poor / ".ghost/passes")
     assert found and all(found[name] == expected[name] for name in found), found.keys() ^ expected.keys()
     print("a show that lacks a fixture's file: the same film, the same passes, and the same exit code")
+
+
+def a_camera_without_lights():
+    show = small_show(SOURCE, work / "dark", SIZE)
+    toml = show / "show.toml"
+    toml.write_text(re.sub(r"^\[\[fixture\]\].*?(?=^\[|\Z)", "", toml.read_text(encoding="utf-8"), flags=re.M | re.S), encoding="utf-8")
+    assert "[[fixture]]" not in toml.read_text(encoding="utf-8")
+    ghost.run("bake", show, "--view", "house", "--spp", "4", "--farm", "local", says="1 tasks")
+    dark = files_of(show / ".ghost/passes")
+    assert "house/manifest.json" in dark, dark.keys()
+    shutil.rmtree(show / ".ghost/passes")
+    ghost.run("bake", show, "--view", "house", "--spp", "4")
+    assert files_of(show / ".ghost/passes").items() >= {name: bytes for name, bytes in dark.items() if name.endswith(".exr") or "manifest" in name}.items()
+    print("a camera without lights: its manifest is there")
+
+
+def from_a_rough_start(show):
+    """Whoever starts the program ignores its children's ends, or has odd words."""
+    words = [str(ghost.program), "render", "-o", "rough.mp4", "--view", "house", "--from", "6", "--to", "9", "--threads", "1", "--farm", "local", "--", show.name]
+    done = subprocess.run(words, cwd=show.parent, env=ghost.environment, timeout=300, preexec_fn=lambda: signal.signal(signal.SIGCHLD, signal.SIG_IGN))
+    assert done.returncode == 0
+    (show.parent / "rough.mp4").unlink()
+    plan = plan_of(show)
+    (plan / "done/result.json").unlink()
+    for name in ("1.json", "2.json"):
+        (plan / "done" / name).unlink()
+    on_slurm = Ghostlight(ghost.program, {**ghost.environment, "SLURM_CPUS_PER_TASK": "1"}, work)
+    on_slurm.run("farm", "run", plan, "1")
+    on_slurm.run("farm", "run", plan, "2")
+    # What one task left is not taken for what another did.
+    one, two = (plan / f"done/{task}.json" for task in (1, 2))
+    swapped = one.read_bytes(), two.read_bytes()
+    one.write_bytes(swapped[1])
+    two.write_bytes(swapped[0])
+    assert ghost.run("farm", "tasks", plan).split() == ["1", "2"]
+    one.write_bytes(swapped[0])
+    two.write_bytes(swapped[1])
+    # A part that is whole and no part: named with its node, and made again.
+    part = next((plan / "frames").glob("2.*/part.mp4"))
+    text = two.read_text(encoding="utf-8")
+    other = (work / "whole.mp4").read_bytes()
+    part.write_bytes(other)
+    two.write_text(text.replace(re.search(r'"part.mp4":(\[[0-9,]+\])', text)[1], f"[{len(other)},{zlib.crc32(other)}]"), encoding="utf-8")
+    ghost.run("farm", "assemble", plan, code=1, says="(made on ")
+    assert ghost.run("farm", "tasks", plan).split() == ["2"]
+    ghost.run("farm", "run", plan, "2")
+    ghost.run("farm", "assemble", plan)
+    ghost.run("render", show, "-o", "smooth.mp4", "--view", "house", "--from", "6", "--to", "9")
+    assert (work / "smooth.mp4").read_bytes() == (show.parent / "rough.mp4").read_bytes()
+    ghost.run("bake", show, "--view", "house", "--lights", "10-20", code=1, says="camera 'house' has 10 lights, the first is 0")
+    print("ends of children ignored, names behind --, threads said twice, parts of others: the same film")
 
 
 def tasks_by_hand(show):
@@ -239,6 +298,8 @@ try:
     free_cameras(baked)
     a_block_knows_nothing()
     a_show_that_lacks_something(baked)
+    a_camera_without_lights()
+    from_a_rough_start(baked)
     tasks_by_hand(baked)
     baked_anew(baked)
     what_cannot_be(baked)
