@@ -6,7 +6,6 @@
 #include "base/print.h"
 #include "base/progress.h"
 #include "base/steady_time.h"
-#include "farm/farm_task.h"
 #include "show_folder/hold.h"
 
 #include <algorithm>
@@ -121,7 +120,8 @@ std::string reason(const FarmPlan& plan, const Counts& counts) {
 int whole_of_farm(const FarmPlan& plan, const std::string& words) {
     log_info(plan.result_name() + ": " + words);
     if (!result_lacks_something(plan)) return 0;
-    log_error(plan.show.string() + ": " + kMadeButMissing);
+    log_error(plan.show.string() +
+              ": made, but something that the show asks for is missing; ghostlight check says what");
     return 1;
 }
 
