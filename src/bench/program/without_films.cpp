@@ -52,10 +52,6 @@ bool Movie::is_cut_short() const {
     return false;
 }
 
-std::string film_encoder() {
-    return "none";
-}
-
 Result<std::unique_ptr<FilmWriter>> FilmWriter::create(const std::filesystem::path& path, int, int, int,
                                                        FilmSound, long) {
     return refusal(path);

@@ -16,7 +16,6 @@ extern "C" {
 }
 
 namespace ghost::video {
-
 namespace {
 
 const AVCodec* best_encoder() {
