@@ -50,7 +50,7 @@ struct Fan {
     float most;      // fraction that the table holds as 1
     uint thin;       // 1: may be thinner than a pixel, and rows are even in the sine
     uint plain;      // 1: of a shaped beam: levels have half as many columns as rows, and gobos whole levels of blur
-    uint coarse_shade; // 1: the shade has half as many rows and columns
+    uint coarse_shade; // the shade has so many times half as many rows and columns
 };
 SHARED_SIZE(Fan, 332);
 

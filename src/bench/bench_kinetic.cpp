@@ -129,6 +129,7 @@ Result<void> truss_rows(const BenchOptions& options, const fs::path& assets, con
     TRY_VOID(write_file_atomic(folder.path / "show.toml", truss_text(assets)));
     SessionOptions opening = opening_of(options, folder.path);
     opening.live = true;
+    opening.workers = true;
     opening.beams.grid = true;
     Truss rests, flies;
     flies.flies = true;

@@ -111,6 +111,7 @@ Result<void> moments_of(const BenchOptions& options, const std::string& what,
             opening.width = 1280;
             opening.height = 720;
             opening.live = true;
+            opening.workers = true;
             opening.quiet = true;
             opening.beams.grid = true;
             session.reset();

@@ -192,6 +192,7 @@ Result<void> bench_projectors(const BenchOptions& options, const BenchSink& sink
     opening.show = folder.string();
     opening.device = options.device;
     opening.quiet = true;
+    opening.workers = true;
     TRY(const std::unique_ptr<Session> session, open_session(opening));
     const fixture::Type& type = *session->show->fixtures.front().type;
     struct Row {

@@ -151,6 +151,7 @@ Result<void> paper_rows(const BenchOptions& options, render::Beams beams,
     opening.show = options.show;
     opening.device = options.device;
     opening.quiet = true;
+    opening.workers = true;
     opening.beams.beams = beams;
     TRY(const std::unique_ptr<Session> session, open_session(opening));
     const std::size_t fixtures = session->show->fixtures.size();

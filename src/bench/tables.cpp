@@ -2,6 +2,7 @@
 #include "bench/tables.h"
 
 #include "base/print.h"
+#include "gpu/workers.h"
 
 #include <cmath>
 #include <cstdio>
@@ -47,6 +48,7 @@ Result<void> run_table(Result<void> (*run)(const BenchOptions&, const BenchSink&
         std::filesystem::create_directories(options.pictures, code);
         if (code) return Error{"cannot be made: " + code.message(), options.pictures};
     }
+    gpu::prepare_workers(); // of the first table: there are no other threads yet
     try {
         return run(options, sink);
     } catch (const std::exception& failure) {

@@ -79,6 +79,7 @@ Result<void> run(OpenArguments& arguments) {
         !show.empty() && !std::filesystem::exists(show, code))
         return Error{"no such file or folder", show};
     catch_interrupts();
+    prepare_engine();
     ui::Link link;
     web::Browsers browsers(link);
     arguments.window.browsers = &browsers;

@@ -185,6 +185,7 @@ Result<void> run(const ServeArguments& arguments) {
     if (!std::filesystem::exists(arguments.show, code))
         return Error{"no such file or folder", arguments.show};
     catch_interrupts();
+    prepare_engine();
     ui::Link link;
     Signal news;
     TRY(const std::unique_ptr<web::Server> server, web::Server::open(link, arguments.server));

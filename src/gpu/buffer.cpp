@@ -25,17 +25,22 @@ VkMemoryPropertyFlags wanted_memory(Access access) {
     return VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT;
 }
 
-} // namespace
-
-Buffer::Buffer(const Device& device, std::uint64_t bytes, Access access)
-    : device_(&device), bytes_(std::max<std::uint64_t>(bytes, 16)) {
+VkBufferCreateInfo buffer_info(std::uint64_t bytes) {
     VkBufferCreateInfo info{};
     info.sType = VK_STRUCTURE_TYPE_BUFFER_CREATE_INFO;
-    info.size = bytes_;
+    info.size = bytes;
     info.usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT |
                  VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT | VK_BUFFER_USAGE_VERTEX_BUFFER_BIT |
                  VK_BUFFER_USAGE_INDEX_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_SRC_BIT |
                  VK_BUFFER_USAGE_TRANSFER_DST_BIT;
+    return info;
+}
+
+} // namespace
+
+Buffer::Buffer(const Device& device, std::uint64_t bytes, Access access)
+    : device_(&device), bytes_(std::max<std::uint64_t>(bytes, 16)) {
+    const VkBufferCreateInfo info = buffer_info(bytes_);
     VK_CALL(vkCreateBuffer(device.handle(), &info, nullptr, &buffer_));
     VkMemoryRequirements needs;
     vkGetBufferMemoryRequirements(device.handle(), buffer_, &needs);
@@ -57,8 +62,28 @@ Buffer::Buffer(const Device& device, std::uint64_t bytes, Access access)
     CHECK(mapped_ != nullptr || access == Access::device);
 }
 
+VkBuffer Buffer::on_worker(const Device& worker) const {
+    for (const OnWorker& known : on_workers_)
+        if (known.worker == &worker) return known.buffer;
+    OnWorker made{&worker, VK_NULL_HANDLE, VK_NULL_HANDLE};
+    VkExternalMemoryBufferCreateInfo shared{};
+    shared.sType = VK_STRUCTURE_TYPE_EXTERNAL_MEMORY_BUFFER_CREATE_INFO;
+    shared.handleTypes = VK_EXTERNAL_MEMORY_HANDLE_TYPE_HOST_ALLOCATION_BIT_EXT;
+    VkBufferCreateInfo info = buffer_info(bytes_);
+    info.pNext = &shared;
+    VK_CALL(vkCreateBuffer(worker.handle(), &info, nullptr, &made.buffer));
+    made.memory = worker.memory().share(mapped_, allocated_bytes_);
+    VK_CALL(vkBindBufferMemory(worker.handle(), made.buffer, made.memory, 0));
+    on_workers_.push_back(made);
+    return made.buffer;
+}
+
 Buffer::~Buffer() {
     if (!device_) return;
+    for (const OnWorker& on : on_workers_) {
+        vkDestroyBuffer(on.worker->handle(), on.buffer, nullptr);
+        vkFreeMemory(on.worker->handle(), on.memory, nullptr);
+    }
     vkDestroyBuffer(device_->handle(), buffer_, nullptr);
     device_->memory().release(memory_, allocated_bytes_);
 }
@@ -70,6 +95,7 @@ void Buffer::swap(Buffer& other) noexcept {
     std::swap(bytes_, other.bytes_);
     std::swap(allocated_bytes_, other.allocated_bytes_);
     std::swap(mapped_, other.mapped_);
+    std::swap(on_workers_, other.on_workers_);
 }
 
 void Buffer::write(const void* data, std::uint64_t bytes) {

@@ -30,6 +30,10 @@ public:
     }
 
     VkBuffer handle() const { return buffer_; }
+    // As commands on this device, or on one of its workers, name it. Main thread.
+    VkBuffer handle(const Device& on) const {
+        return on.worker() < 0 || &on == device_ ? buffer_ : on_worker(on);
+    }
     std::uint64_t bytes() const { return bytes_; }
     bool valid() const { return buffer_ != VK_NULL_HANDLE; }
     // Null where the memory is not visible to us; never null for readback and upload.
@@ -44,13 +48,20 @@ public:
 
 private:
     void swap(Buffer& other) noexcept;
+    VkBuffer on_worker(const Device& worker) const;
 
+    struct OnWorker {
+        const Device* worker = nullptr;
+        VkBuffer buffer = VK_NULL_HANDLE;
+        VkDeviceMemory memory = VK_NULL_HANDLE;
+    };
     const Device* device_ = nullptr;
     VkBuffer buffer_ = VK_NULL_HANDLE;
     VkDeviceMemory memory_ = VK_NULL_HANDLE;
     std::uint64_t bytes_ = 0;
     std::uint64_t allocated_bytes_ = 0;
     void* mapped_ = nullptr;
+    mutable std::vector<OnWorker> on_workers_; // those that have asked
 };
 
 } // namespace ghost::gpu

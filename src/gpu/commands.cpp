@@ -62,11 +62,12 @@ void push_bindings(const Device& device, VkCommandBuffer commands, VkPipelineBin
         if (binding.buffer) {
             const std::uint64_t left = binding.buffer->bytes() - binding.offset;
             const bool is_uniform = binding.type == VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER;
-            buffers[i] = {binding.buffer->handle(), binding.offset,
+            buffers[i] = {binding.buffer->handle(device), binding.offset,
                           is_uniform ? std::min(left, kUniformBytes) : left};
             write.pBufferInfo = &buffers[i];
         } else {
-            images[i] = {binding.texture->sampler(), binding.texture->view(), VK_IMAGE_LAYOUT_GENERAL};
+            const Texture::Handles& image = binding.texture->handles(device);
+            images[i] = {image.sampler, image.view, VK_IMAGE_LAYOUT_GENERAL};
             write.pImageInfo = &images[i];
         }
     }
@@ -189,18 +190,18 @@ void Commands::prepare(const Program& program, const void* push, std::uint32_t b
 }
 
 void Commands::dispatch_from(const Buffer& groups, std::uint64_t offset) {
-    vkCmdDispatchIndirect(handle(), groups.handle(), offset);
+    vkCmdDispatchIndirect(handle(), groups.handle(device_), offset);
 }
 
 void Commands::write_bytes(const Buffer& to, const void* data, std::uint64_t bytes) {
     barrier(); // earlier readers of the buffer are done
-    vkCmdUpdateBuffer(handle(), to.handle(), 0, bytes, data);
+    vkCmdUpdateBuffer(handle(), to.handle(device_), 0, bytes, data);
     barrier();
 }
 
 void Commands::fill_zero(const Buffer& buffer) {
     barrier(); // earlier readers of the buffer are done
-    vkCmdFillBuffer(handle(), buffer.handle(), 0, VK_WHOLE_SIZE, 0);
+    vkCmdFillBuffer(handle(), buffer.handle(device_), 0, VK_WHOLE_SIZE, 0);
 }
 
 void Commands::barrier() {
@@ -221,7 +222,7 @@ void Commands::barrier() {
 
 void Commands::copy(const Buffer& from, const Buffer& to, std::uint64_t bytes) {
     const VkBufferCopy region{0, 0, bytes};
-    vkCmdCopyBuffer(handle(), from.handle(), to.handle(), 1, &region);
+    vkCmdCopyBuffer(handle(), from.handle(device_), to.handle(device_), 1, &region);
     barrier();
 }
 
@@ -229,7 +230,8 @@ void Commands::copy(const Texture& from, const Buffer& to) {
     VkBufferImageCopy region{};
     region.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
     region.imageExtent = {from.shape().width, from.shape().height, 1};
-    vkCmdCopyImageToBuffer(handle(), from.image(), VK_IMAGE_LAYOUT_GENERAL, to.handle(), 1, &region);
+    vkCmdCopyImageToBuffer(handle(), from.handles(device_).image, VK_IMAGE_LAYOUT_GENERAL, to.handle(device_),
+                           1, &region);
     barrier();
 }
 
@@ -248,7 +250,7 @@ void Commands::copy(const Buffer& from, std::uint64_t offset, const Texture& to,
         regions.push_back(region);
     }
     CHECK(offset <= from.bytes());
-    vkCmdCopyBufferToImage(handle(), from.handle(), to.image(), VK_IMAGE_LAYOUT_GENERAL,
+    vkCmdCopyBufferToImage(handle(), from.handle(device_), to.handles(device_).image, VK_IMAGE_LAYOUT_GENERAL,
                            static_cast<std::uint32_t>(regions.size()), regions.data());
     barrier();
 }
@@ -264,8 +266,8 @@ void Commands::copy(const Texture& from, const Texture& to, const std::vector<Vk
         regions.push_back({source, at, target, at, {part.extent.width, part.extent.height, 1}});
     }
     if (regions.empty()) return;
-    vkCmdCopyImage(handle(), from.image(), VK_IMAGE_LAYOUT_GENERAL, to.image(), VK_IMAGE_LAYOUT_GENERAL,
-                   static_cast<std::uint32_t>(regions.size()), regions.data());
+    vkCmdCopyImage(handle(), from.handles(device_).image, VK_IMAGE_LAYOUT_GENERAL, to.handles(device_).image,
+                   VK_IMAGE_LAYOUT_GENERAL, static_cast<std::uint32_t>(regions.size()), regions.data());
     barrier();
 }
 
@@ -274,7 +276,7 @@ void Commands::clear(const Texture& texture) {
     const VkClearColorValue zero{};
     const VkImageSubresourceRange all{VK_IMAGE_ASPECT_COLOR_BIT, 0, texture.shape().levels, 0,
                                       texture.shape().layers};
-    vkCmdClearColorImage(handle(), texture.image(), VK_IMAGE_LAYOUT_GENERAL, &zero, 1, &all);
+    vkCmdClearColorImage(handle(), texture.handles(device_).image, VK_IMAGE_LAYOUT_GENERAL, &zero, 1, &all);
     barrier();
 }
 
@@ -292,6 +294,11 @@ void Commands::begin_span(const std::string& name) {
 }
 
 void Commands::submit_and_wait() {
+    submit();
+    wait();
+}
+
+void Commands::submit() {
     const auto count = static_cast<std::uint32_t>(names_.size());
     if (count > 0) write_timestamp(device_, commands_, queries_, count);
     barrier();
@@ -307,6 +314,11 @@ void Commands::submit_and_wait() {
     submit.pCommandBufferInfos = &buffer;
     ++device_.work().submissions;
     VK_CALL(vkQueueSubmit2(device_.queue(), 1, &submit, fence_));
+}
+
+void Commands::wait() {
+    if (is_empty_) return;
+    const auto count = static_cast<std::uint32_t>(names_.size());
     VK_CALL(vkWaitForFences(device_.handle(), 1, &fence_, VK_TRUE, UINT64_MAX));
     VK_CALL(vkResetFences(device_.handle(), 1, &fence_));
 

@@ -141,6 +141,9 @@ public:
     void fill_zero(const Buffer& buffer);
     void begin_span(const std::string& name); // up to the next begin_span or the end
     void submit_and_wait();                   // nothing where nothing was recorded
+    // Its two halves, for what runs beside: between them nothing is recorded here.
+    void submit();
+    void wait();
 
     // For a command that may have to be waited for.
     VkCommandBuffer handle() {

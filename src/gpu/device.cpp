@@ -7,6 +7,7 @@
 #include "gpu/device_memory.h"
 #include "gpu/pipelines.h"
 #include "gpu/private/shader_folder.h"
+#include "gpu/workers.h"
 
 #include <algorithm>
 #include <cctype>
@@ -97,11 +98,36 @@ Result<std::unique_ptr<Device>> Device::create(const DeviceOptions& options) {
     TRY_VOID(device->choose_physical(options));
     device->make_device(options);
     if (!options.shaders.empty()) device->shaders_ = std::make_unique<ShaderFolder>(options.shaders);
+    if (options.workers && device->is_cpu_ && options.memory_limit_bytes == 0) device->make_workers(options);
     return device;
+}
+
+void Device::make_workers(const DeviceOptions& options) {
+    DeviceOptions same = options;
+    same.name = name_;
+    for (const VkInstance instance : worker_instances()) {
+        std::unique_ptr<Device> worker(new Device);
+        worker->instance_ = instance;
+        worker->worker_ = static_cast<int>(workers_.size());
+        if (!worker->choose_physical(same) ||
+            !has_extension(worker->physical_, VK_EXT_EXTERNAL_MEMORY_HOST_EXTENSION_NAME)) {
+            workers_.clear();
+            return;
+        }
+        worker->make_device(same);
+        if (!options.shaders.empty()) worker->shaders_ = std::make_unique<ShaderFolder>(options.shaders);
+        workers_.push_back(std::move(worker));
+    }
+    if (workers_.size() < 2) workers_.clear();
 }
 
 Shader Device::current(const Shader& built_in) const {
     return shaders_ ? shaders_->current(built_in) : built_in;
+}
+
+void Device::make_late_pipelines() const {
+    pipelines_->make_late();
+    for (const auto& worker : workers_) worker->make_late_pipelines();
 }
 
 bool Device::have_shaders_changed() const {
@@ -239,6 +265,7 @@ void Device::make_device(const DeviceOptions& options) {
         extensions.push_back(VK_KHR_PIPELINE_EXECUTABLE_PROPERTIES_EXTENSION_NAME);
         f13.pNext = &executables;
     }
+    if (worker_ >= 0) extensions.push_back(VK_EXT_EXTERNAL_MEMORY_HOST_EXTENSION_NAME);
     VkDeviceCreateInfo info{};
     info.sType = VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO;
     info.pNext = &features;
@@ -258,6 +285,7 @@ void Device::make_device(const DeviceOptions& options) {
 Device::Device() = default;
 
 Device::~Device() {
+    workers_.clear(); // they see our memory
     if (device_ != VK_NULL_HANDLE) {
         if (pipelines_) pipelines_->stop();
         pipelines_.reset(); // whoever gave it work waited for that (Commands)
@@ -268,7 +296,7 @@ Device::~Device() {
             vkGetInstanceProcAddr(instance_, "vkDestroyDebugUtilsMessengerEXT"));
         destroy(instance_, messenger_, nullptr);
     }
-    if (instance_ != VK_NULL_HANDLE) vkDestroyInstance(instance_, nullptr);
+    if (instance_ != VK_NULL_HANDLE && worker_ < 0) vkDestroyInstance(instance_, nullptr);
 }
 
 } // namespace ghost::gpu

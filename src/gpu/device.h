@@ -36,6 +36,7 @@ struct DeviceOptions {
         shaders; // a folder that they are read from (gpu/private/shader_folder.h); empty: those built in
     bool pipeline_statistics = false; // keep what drivers say of pipelines, where they do (Pipelines::made)
     LoweredLimits lowered_limits;     // none
+    bool workers = false; // make those that there can be (gpu/workers.h); not where memory is limited
 };
 
 class Device {
@@ -53,6 +54,7 @@ public:
     PFN_vkCmdPushDescriptorSetKHR push_descriptors() const { return push_descriptors_; }
 
     Pipelines& pipelines() const { return *pipelines_; }
+    void make_late_pipelines() const; // Pipelines::make_late, of its workers, too
     DeviceMemory& memory() const { return *memory_; }
     RecordedWork& work() const { return *work_; }
     // The one that is built in, or that of DeviceOptions::shaders.
@@ -67,6 +69,11 @@ public:
     bool keeps_pipeline_statistics() const { return keeps_pipeline_statistics_; }
     std::size_t validation_errors() const { return validation_errors_; }
 
+    // Devices beside this one, of a processor; empty: none.
+    std::span<const std::unique_ptr<Device>> workers() const { return workers_; }
+    // Which of them this is; -1: none.
+    int worker() const { return worker_; }
+
     // The first of these formats whose images can do all that is wanted; the last one where none can.
     VkFormat first_format(std::span<const VkFormat> formats, VkFormatFeatureFlags wanted) const;
 
@@ -78,6 +85,7 @@ private:
     Result<void> make_instance(bool validation);
     Result<void> choose_physical(const DeviceOptions& options);
     void make_device(const DeviceOptions& options);
+    void make_workers(const DeviceOptions& options);
 
     VkInstance instance_ = VK_NULL_HANDLE;
     VkDebugUtilsMessengerEXT messenger_ = VK_NULL_HANDLE;
@@ -93,6 +101,8 @@ private:
     std::string name_;
     bool is_cpu_ = false;
     bool keeps_pipeline_statistics_ = false;
+    std::vector<std::unique_ptr<Device>> workers_;
+    int worker_ = -1;
     double timestamp_period_ns_ = 1;
     UsedLimits limits_;
     std::atomic<std::size_t> validation_errors_ = 0; // drivers are called on several threads

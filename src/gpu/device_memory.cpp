@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "gpu/device_memory.h"
 
+#include "base/check.h"
 #include "base/log.h"
 #include "base/memory.h"
 #include "gpu/device.h"
@@ -13,6 +14,7 @@ namespace {
 
 constexpr double kOfFreeMemory = 0.8; // of a processor's: the rest of the program and others need some, too
 constexpr double kOfLocalMemory = 0.9;
+constexpr std::uint64_t kPageBytes = 4096; // that a processor's driver allocates in
 
 std::string megabytes(std::uint64_t bytes) {
     return std::to_string(bytes >> 20) + " MB";
@@ -70,6 +72,21 @@ VkDeviceMemory DeviceMemory::allocate(const VkMemoryRequirements& needs, VkMemor
     VK_CALL(result);
     used_bytes_ += needs.size;
     return memory;
+}
+
+VkDeviceMemory DeviceMemory::share(void* memory, std::uint64_t bytes) const {
+    CHECK(memory != nullptr && reinterpret_cast<std::uintptr_t>(memory) % kPageBytes == 0);
+    VkImportMemoryHostPointerInfoEXT import{};
+    import.sType = VK_STRUCTURE_TYPE_IMPORT_MEMORY_HOST_POINTER_INFO_EXT;
+    import.handleType = VK_EXTERNAL_MEMORY_HANDLE_TYPE_HOST_ALLOCATION_BIT_EXT;
+    import.pHostPointer = memory;
+    VkMemoryAllocateInfo info{};
+    info.sType = VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO;
+    info.pNext = &import;
+    info.allocationSize = (bytes + kPageBytes - 1) / kPageBytes * kPageBytes;
+    VkDeviceMemory shared = VK_NULL_HANDLE;
+    VK_CALL(vkAllocateMemory(device_.handle(), &info, nullptr, &shared));
+    return shared;
 }
 
 void DeviceMemory::release(VkDeviceMemory memory, std::uint64_t bytes) {

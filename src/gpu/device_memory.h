@@ -20,6 +20,9 @@ public:
     VkDeviceMemory allocate(const VkMemoryRequirements& needs, VkMemoryPropertyFlags wanted,
                             std::uint32_t& type);
     void release(VkDeviceMemory memory, std::uint64_t bytes);
+    // Of a worker: memory of the device that it stands beside, at least so much of it. Counts there;
+    // vkFreeMemory gives it back.
+    VkDeviceMemory share(void* memory, std::uint64_t bytes) const;
 
     std::uint64_t local_bytes() const { return local_bytes_; }
     std::uint64_t used_bytes() const { return used_bytes_; }

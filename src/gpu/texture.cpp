@@ -65,33 +65,19 @@ std::uint64_t texture_bytes(const Device& device, const TextureShape& shape) {
     return needs.memoryRequirements.size;
 }
 
-Texture::Texture(const Device& device, const TextureShape& shape) : device_(&device), shape_(shape) {
-    const VkImageCreateInfo info = image_info(device, shape);
-    VK_CALL(vkCreateImage(device.handle(), &info, nullptr, &image_));
-    VkMemoryRequirements needs;
-    vkGetImageMemoryRequirements(device.handle(), image_, &needs);
-    bytes_ = needs.size;
-    std::uint32_t type = 0;
-    try {
-        constexpr VkMemoryPropertyFlags kOurs =
-            VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT;
-        memory_ = device.memory().allocate(
-            needs, VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT | (info.tiling == VK_IMAGE_TILING_LINEAR ? kOurs : 0),
-            type);
-    } catch (...) {
-        vkDestroyImage(device.handle(), image_, nullptr);
-        throw;
-    }
-    VK_CALL(vkBindImageMemory(device.handle(), image_, memory_, 0));
-    if (info.tiling == VK_IMAGE_TILING_LINEAR) map(type);
+namespace {
 
+// What stands on an image that has its memory; it is in the GENERAL layout then.
+void finish_image(const Device& device, const TextureShape& shape, Texture::Handles& handles) {
+    const VkImageAspectFlags aspect =
+        is_depth(shape.format) ? VK_IMAGE_ASPECT_DEPTH_BIT : VK_IMAGE_ASPECT_COLOR_BIT;
     VkImageViewCreateInfo view{};
     view.sType = VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO;
-    view.image = image_;
+    view.image = handles.image;
     view.viewType = shape.samples > 1 ? VK_IMAGE_VIEW_TYPE_2D : VK_IMAGE_VIEW_TYPE_2D_ARRAY;
     view.format = shape.format;
-    view.subresourceRange = {aspect(), 0, shape.levels, 0, shape.layers};
-    VK_CALL(vkCreateImageView(device.handle(), &view, nullptr, &view_));
+    view.subresourceRange = {aspect, 0, shape.levels, 0, shape.layers};
+    VK_CALL(vkCreateImageView(device.handle(), &view, nullptr, &handles.view));
 
     VkSamplerCreateInfo sampler{};
     sampler.sType = VK_STRUCTURE_TYPE_SAMPLER_CREATE_INFO;
@@ -104,7 +90,7 @@ Texture::Texture(const Device& device, const TextureShape& shape) : device_(&dev
     sampler.addressModeW = VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE;
     // Equal minLod and maxLod (zero) would double the time of a whole shader on lavapipe.
     sampler.maxLod = VK_LOD_CLAMP_NONE;
-    VK_CALL(vkCreateSampler(device.handle(), &sampler, nullptr, &sampler_));
+    VK_CALL(vkCreateSampler(device.handle(), &sampler, nullptr, &handles.sampler));
 
     VkImageMemoryBarrier2 to_general{};
     to_general.sType = VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER_2;
@@ -113,7 +99,7 @@ Texture::Texture(const Device& device, const TextureShape& shape) : device_(&dev
     to_general.newLayout = VK_IMAGE_LAYOUT_GENERAL;
     to_general.srcQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
     to_general.dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
-    to_general.image = image_;
+    to_general.image = handles.image;
     to_general.subresourceRange = view.subresourceRange;
     VkDependencyInfo dependency{};
     dependency.sType = VK_STRUCTURE_TYPE_DEPENDENCY_INFO;
@@ -125,17 +111,61 @@ Texture::Texture(const Device& device, const TextureShape& shape) : device_(&dev
     commands.submit_and_wait();
 }
 
+} // namespace
+
+Texture::Texture(const Device& device, const TextureShape& shape) : device_(&device), shape_(shape) {
+    const VkImageCreateInfo info = image_info(device, shape);
+    VK_CALL(vkCreateImage(device.handle(), &info, nullptr, &own_.image));
+    VkMemoryRequirements needs;
+    vkGetImageMemoryRequirements(device.handle(), own_.image, &needs);
+    bytes_ = needs.size;
+    std::uint32_t type = 0;
+    try {
+        constexpr VkMemoryPropertyFlags kOurs =
+            VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT;
+        const bool ours = info.tiling == VK_IMAGE_TILING_LINEAR || !device.workers().empty();
+        own_.memory =
+            device.memory().allocate(needs, VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT | (ours ? kOurs : 0), type);
+    } catch (...) {
+        vkDestroyImage(device.handle(), own_.image, nullptr);
+        throw;
+    }
+    VK_CALL(vkBindImageMemory(device.handle(), own_.image, own_.memory, 0));
+    if (info.tiling == VK_IMAGE_TILING_LINEAR || !device.workers().empty()) map(type);
+    finish_image(device, shape, own_);
+}
+
+const Texture::Handles& Texture::on_worker(const Device& worker) const {
+    if (const auto known = on_workers_.find(&worker); known != on_workers_.end()) return known->second;
+    Handles made;
+    VkExternalMemoryImageCreateInfo shared{};
+    shared.sType = VK_STRUCTURE_TYPE_EXTERNAL_MEMORY_IMAGE_CREATE_INFO;
+    shared.handleTypes = VK_EXTERNAL_MEMORY_HANDLE_TYPE_HOST_ALLOCATION_BIT_EXT;
+    VkImageCreateInfo info = image_info(worker, shape_);
+    info.pNext = &shared;
+    VK_CALL(vkCreateImage(worker.handle(), &info, nullptr, &made.image));
+    VkMemoryRequirements needs;
+    vkGetImageMemoryRequirements(worker.handle(), made.image, &needs);
+    CHECK_EQ(needs.size, bytes_);
+    made.memory = worker.memory().share(memory_at_, bytes_);
+    VK_CALL(vkBindImageMemory(worker.handle(), made.image, made.memory, 0));
+    finish_image(worker, shape_, made);
+    return on_workers_.emplace(&worker, made).first->second;
+}
+
 void Texture::map(std::uint32_t type) {
     VkPhysicalDeviceMemoryProperties memory;
     vkGetPhysicalDeviceMemoryProperties(device_->physical(), &memory);
     const VkMemoryPropertyFlags has = memory.memoryTypes[type].propertyFlags;
     if (!(has & VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT) || !(has & VK_MEMORY_PROPERTY_HOST_COHERENT_BIT)) return;
     void* mapped = nullptr;
-    VK_CALL(vkMapMemory(device_->handle(), memory_, 0, VK_WHOLE_SIZE, 0, &mapped));
+    VK_CALL(vkMapMemory(device_->handle(), own_.memory, 0, VK_WHOLE_SIZE, 0, &mapped));
+    memory_at_ = static_cast<std::uint8_t*>(mapped);
+    if (!is_mapped(*device_, shape_)) return;
     const VkImageSubresource first{VK_IMAGE_ASPECT_COLOR_BIT, 0, 0};
     VkSubresourceLayout layout;
-    vkGetImageSubresourceLayout(device_->handle(), image_, &first, &layout);
-    mapped_ = static_cast<std::uint8_t*>(mapped) + layout.offset;
+    vkGetImageSubresourceLayout(device_->handle(), own_.image, &first, &layout);
+    mapped_ = memory_at_ + layout.offset;
     row_bytes_ = layout.rowPitch;
     layer_bytes_ = layout.arrayPitch;
 }
@@ -162,25 +192,37 @@ void Texture::upload(std::uint32_t level, std::uint32_t layer, std::uint32_t lay
     region.imageExtent = {std::max(shape_.width >> level, 1u), std::max(shape_.height >> level, 1u), 1};
     Commands commands(*device_);
     commands.begin();
-    vkCmdCopyBufferToImage(commands.handle(), staging.handle(), image_, VK_IMAGE_LAYOUT_GENERAL, 1, &region);
+    vkCmdCopyBufferToImage(commands.handle(), staging.handle(), own_.image, VK_IMAGE_LAYOUT_GENERAL, 1,
+                           &region);
     commands.submit_and_wait();
 }
 
+namespace {
+
+void destroy_image(const Device& device, const Texture::Handles& handles) {
+    vkDestroySampler(device.handle(), handles.sampler, nullptr);
+    vkDestroyImageView(device.handle(), handles.view, nullptr);
+    vkDestroyImage(device.handle(), handles.image, nullptr);
+}
+
+} // namespace
+
 Texture::~Texture() {
     if (!device_) return;
-    vkDestroySampler(device_->handle(), sampler_, nullptr);
-    vkDestroyImageView(device_->handle(), view_, nullptr);
-    vkDestroyImage(device_->handle(), image_, nullptr);
-    device_->memory().release(memory_, bytes_);
+    for (const auto& [worker, handles] : on_workers_) {
+        destroy_image(*worker, handles);
+        vkFreeMemory(worker->handle(), handles.memory, nullptr);
+    }
+    destroy_image(*device_, own_);
+    device_->memory().release(own_.memory, bytes_);
 }
 
 void Texture::swap(Texture& other) noexcept {
     std::swap(device_, other.device_);
     std::swap(shape_, other.shape_);
-    std::swap(image_, other.image_);
-    std::swap(memory_, other.memory_);
-    std::swap(view_, other.view_);
-    std::swap(sampler_, other.sampler_);
+    std::swap(own_, other.own_);
+    std::swap(on_workers_, other.on_workers_);
+    std::swap(memory_at_, other.memory_at_);
     std::swap(bytes_, other.bytes_);
     std::swap(mapped_, other.mapped_);
     std::swap(row_bytes_, other.row_bytes_);

@@ -9,6 +9,7 @@
 
 #include "gpu/device.h"
 
+#include <map>
 #include <span>
 #include <utility>
 #include <vector>
@@ -47,9 +48,19 @@ public:
     // Fills one layer of one level. Waits.
     void write_layer(std::uint32_t layer, const void* data, std::uint64_t bytes, std::uint32_t level = 0);
 
-    VkImage image() const { return image_; }
-    VkImageView view() const { return view_; }
-    VkSampler sampler() const { return sampler_; }
+    VkImage image() const { return own_.image; }
+    VkImageView view() const { return own_.view; }
+    VkSampler sampler() const { return own_.sampler; }
+    struct Handles {
+        VkImage image = VK_NULL_HANDLE;
+        VkImageView view = VK_NULL_HANDLE;
+        VkSampler sampler = VK_NULL_HANDLE;
+        VkDeviceMemory memory = VK_NULL_HANDLE;
+    };
+    // As commands on this device, or on one of its workers, name it. Main thread.
+    const Handles& handles(const Device& on) const {
+        return on.worker() < 0 || &on == device_ ? own_ : on_worker(on);
+    }
     const TextureShape& shape() const { return shape_; }
     VkImageAspectFlags aspect() const;             // colour or depth
     std::uint64_t bytes() const { return bytes_; } // of device memory
@@ -63,16 +74,16 @@ public:
 private:
     void swap(Texture& other) noexcept;
     void map(std::uint32_t type);
+    const Handles& on_worker(const Device& worker) const;
     void upload(std::uint32_t level, std::uint32_t layer, std::uint32_t layers, const void* data,
                 std::uint64_t bytes);
 
     const Device* device_ = nullptr;
     TextureShape shape_;
-    VkImage image_ = VK_NULL_HANDLE;
-    VkDeviceMemory memory_ = VK_NULL_HANDLE;
-    VkImageView view_ = VK_NULL_HANDLE;
-    VkSampler sampler_ = VK_NULL_HANDLE;
+    Handles own_;
+    mutable std::map<const Device*, Handles> on_workers_; // those that have asked
     std::uint64_t bytes_ = 0;
+    std::uint8_t* memory_at_ = nullptr; // where all of it is, of a device with workers
     std::uint8_t* mapped_ = nullptr;
     std::uint64_t row_bytes_ = 0, layer_bytes_ = 0;
 };

@@ -4,6 +4,7 @@
 #include "base/interrupt.h"
 #include "gpu/device_failures.h"
 #include "gpu/device_memory.h"
+#include "gpu/workers.h"
 #include "live/session/take_patch.h"
 
 #include "base/log.h"
@@ -23,6 +24,10 @@ constexpr double kRestingStep_s = 0.04;
 constexpr int kMostLosses = 20; // of a device, in one window: a driver that breaks each time must end
 
 } // namespace
+
+void prepare_engine() {
+    gpu::prepare_workers();
+}
 
 Engine::Engine(ui::Link& link, EngineOptions options)
     : link_(link), options_(std::move(options)), thread_([this] { run(); }) {}
@@ -178,6 +183,7 @@ SessionOptions Engine::session_options(const std::string& path) const {
     options.show = path;
     options.text = text_;
     options.live = true;
+    options.workers = true;
     options.maps_in_background = true;
     options.beams.grid = true; // while things move
     options.parks = true;

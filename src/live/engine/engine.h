@@ -47,6 +47,9 @@ struct EngineOptions {
     bool takes_plots = false;              // at once, without asking
 };
 
+// Once in a program that will have an engine, before it has other threads (gpu/workers.h).
+void prepare_engine();
+
 class Engine {
 public:
     // Starts at once; the link must outlive it.

@@ -229,7 +229,7 @@ void Engine::frame() {
     }
     if (drew) {
         bounce_ms_ = statistics.bounce_ms();
-        session_->device->pipelines().make_late(); // a gobo that is first used must not be late
+        session_->device->make_late_pipelines(); // a gobo that is first used must not be late
     }
     bounce_news_.publish(*session_, bounce_ms_, begin_s);
     rig_news_.publish(*session_, *input_, shown_.lights, recorder_.seconds(), begin_s);

@@ -21,6 +21,7 @@ LightMeter::LightMeter(const Session& session) : session_(session) {
     settings.lens.on = false;
     settings.glare.strength = 0;
     settings.reuse = false;
+    settings.workers = false;
     settings.beams.most_wide_step = 1;
     settings.image_memory_bytes = kFewImages;
     relighter_ = std::make_unique<render::Relighter>(*session.device, session.live->g_buffer(),

@@ -212,6 +212,7 @@ render::Settings draw_settings(const Atmosphere& air, const scene::Camera& camer
     settings.tone = options.tone;
     settings.image_memory_bytes = options.image_memory_bytes;
     if (options.repeatable) settings.visibility_bytes = 0;
+    settings.workers = options.workers;
     return settings;
 }
 
@@ -487,7 +488,7 @@ Result<std::unique_ptr<Session>> open_session(const SessionOptions& asked, scene
     if (!options.maps_in_background && interrupted()) return Error{"interrupted: nothing is drawn", ""};
     TRY(session->device,
         gpu::Device::create({options.device, options.validation, options.memory_limit_bytes, options.shaders,
-                             options.pipeline_statistics, options.lowered_limits}));
+                             options.pipeline_statistics, options.lowered_limits, options.workers}));
     log_info("drawing on " + session->device->name());
     session->rig = std::make_unique<scene::Rig>(*session->show);
     session->rig->movers().drive(session->movers);

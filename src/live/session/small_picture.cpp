@@ -30,6 +30,7 @@ std::optional<image::Image8> SmallPicture::draw(const scene::Camera& camera, con
     if (!relighter_) {
         render::Settings settings = draw_settings(session_.atmosphere(), from, session_.options);
         settings.reuse = false;
+        settings.workers = false;
         settings.image_memory_bytes = kFewImages;
         relighter_ = std::make_unique<render::Relighter>(*session_.device, g_buffer_,
                                                          session_.live->distances(), session_.gobos.images,

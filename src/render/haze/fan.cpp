@@ -44,6 +44,20 @@ std::uint32_t size_of(const shared::Light& light, const BeamExtent& extent, FanD
     return std::clamp(static_cast<std::uint32_t>(rows), shared::kLeastSharp, finest);
 }
 
+// Rows of the shade for a pixel of the beam's width: kFarFraction of them lie in the beam.
+constexpr float kShadeRows = 2;
+constexpr std::uint32_t kMostShadeHalvings = 3;
+
+// Half as fine as it would be, or as the beam's width in the picture asks for.
+void set_coarse_shade(shared::Fan& fan, const BeamExtent& extent) {
+    fan.coarse_shade = 1;
+    if (extent.surrounds) return;
+    const float wanted = kShadeRows * extent.widest_pixels();
+    while (fan.coarse_shade < kMostShadeHalvings &&
+           static_cast<float>(shared::fan_shade_rows(fan)) / 2 >= wanted)
+        ++fan.coarse_shade;
+}
+
 constexpr double kShadeFrom_m =
     0.05;                    // before the lens; nearer, what is in the way may be beside the shade's cone
 constexpr double kFar_m = 1; // before the lens: from here on the beam has kFarShare of the shade's columns
@@ -141,8 +155,8 @@ shared::Fan make_fan(const shared::Light& light, const glm::vec3& eye_m, float p
     // The brightest colour of a split gate.
     fan.most = std::max({light.colour_b.x, light.colour_b.y, light.colour_b.z, 1.0f});
     fan.layer = layer;
-    fan.coarse_shade = coarse_shade ? 1 : 0;
     fan.size = size_of(light, extent, detail);
+    if (coarse_shade) set_coarse_shade(fan, extent);
     // Detail finer than a column would be cut into steps. The gobos' own levels of blur are used as they are.
     const float finest = std::max(2.0f * light.cut_radius / static_cast<float>(fan.size), light.edge);
     if (light.shaped != 0) {

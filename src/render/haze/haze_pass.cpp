@@ -20,7 +20,6 @@ namespace {
 constexpr std::uint64_t kAlign = 256; // offset of a uniform buffer, at most, on every device
 constexpr std::uint64_t kChunkBytes = shared::kLightsPerChunk * sizeof(shared::Fan);
 constexpr std::uint32_t kRowsPerGroup = 16; // fan.comp
-constexpr std::uint32_t kKeptFans = 64;
 // While things move shades are coarser from here on, and where light is coarse: else they cost 3 dB of 47 and
 // save a tenth.
 constexpr std::size_t kManyTables = 24;
@@ -39,10 +38,9 @@ std::uint32_t rows_of(const shared::Fan& fan, bool shaped) {
 }
 
 // Lights whose tables are kept: where memory is short, fewer.
-std::uint32_t kept_fans(const gpu::Device& device, std::uint32_t light_count) {
+std::uint32_t kept_fans(const gpu::Device& device, std::uint32_t light_count, std::uint32_t most) {
     const std::uint64_t room = device.memory().left_bytes() / 16 / kFanBytes;
-    return std::max(std::min({light_count, kKeptFans,
-                              static_cast<std::uint32_t>(std::min<std::uint64_t>(room, kKeptFans))}),
+    return std::max(std::min(light_count, static_cast<std::uint32_t>(std::min<std::uint64_t>(room, most))),
                     1u);
 }
 
@@ -54,13 +52,22 @@ float shade_doubt_rad(std::uint32_t map_side) {
 
 } // namespace
 
+std::uint64_t fan_room(std::uint32_t lights) {
+    return (lights * sizeof(shared::Fan) + kAlign - 1) / kAlign * kAlign;
+}
+
+// As many chunks as the relighter may draw in a frame (LightPainter).
+std::uint64_t fan_buffer_bytes(std::uint32_t light_count) {
+    return (kMostDraws * std::uint64_t{light_count} + shared::kBeamClasses) * fan_room(1) + kChunkBytes;
+}
+
 HazePass::HazePass(const gpu::Device& device, const HazeIntegrator& settings, const Fragments& fragments,
                    std::uint32_t batch_size, std::uint32_t light_count, const DistanceImages* distances,
-                   FanDetail detail)
+                   FanDetail detail, std::uint32_t most_kept)
     : settings_(settings), batch_size_(batch_size), distances_(distances),
       detail_(light_count < kManyLights ? detail : FanDetail::plain) {
     const std::uint32_t single = batch_size == 1 ? 1 : 0;
-    const std::uint32_t kept = kept_fans(device, light_count); // of single lights
+    const std::uint32_t kept = kept_fans(device, light_count, most_kept); // of single lights
     if (settings.beams != Beams::gate) {
         for (std::uint32_t kind = 0; kind < shared::kBeamClasses; ++kind) {
             samples_[kind] = gpu::LateProgram(device, shaders::kShader_haze,
@@ -99,10 +106,7 @@ HazePass::HazePass(const gpu::Device& device, const HazeIntegrator& settings, co
     if (distances)
         shade_fill_ =
             std::make_unique<gpu::Program>(device, shaders::kShader_fan_shade, std::vector{0u, single});
-    // As many chunks as the relighter may draw in a frame (Relighter::Relighter).
-    fans_ = gpu::Buffer(
-        device, (kMostDraws * std::uint64_t{light_count} + shared::kBeamClasses) * kAlign + kChunkBytes,
-        gpu::Access::upload);
+    fans_ = gpu::Buffer(device, fan_buffer_bytes(light_count), gpu::Access::upload);
     const std::uint32_t layers = batch_size == 1 ? kept : std::clamp(light_count, 1u, batch_size);
     if (batch_size == 1) filled_.resize(layers);
     // Sums in 0..1: 16 bits are enough, half floats are not (3 % in the narrowest segments).
@@ -214,7 +218,7 @@ void HazePass::record_gate(gpu::Commands& commands, const LightChunk& chunk) {
         thin = thin || fan.thin != 0;
         std::memcpy(fans + k, &fan, sizeof fan);
     }
-    fans_used_ += (chunk.count() * sizeof(shared::Fan) + kAlign - 1) / kAlign * kAlign;
+    fans_used_ += fan_room(chunk.count());
 
     const float segments_per_rad = 1.0f / std::sqrt(settings_.curvature);
     const float shade_rad = distances_ ? shade_doubt_rad(distances_->side()) : 0.0f;

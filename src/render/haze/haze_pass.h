@@ -35,13 +35,22 @@ struct HazeIntegrator {
     bool grid = false;                // of gate: HazeQuality::grid may be on
 };
 
+// Single lights whose tables are kept, at most.
+constexpr std::uint32_t kKeptFans = 64;
+
+// Bytes that the fans of a chunk of so many lights take, and that those of all chunks of a frame may: each
+// light is a chunk of its own, at worst, kMostDraws times.
+std::uint64_t fan_room(std::uint32_t lights);
+std::uint64_t fan_buffer_bytes(std::uint32_t light_count);
+
 class HazePass {
 public:
     // light_count: of the show; at most so many fans are needed at a time. distances: null: nothing throws
     // shadows into haze; gate only. Must outlive this. detail: of its tables; those of many lights are plain.
+    // most_kept: see kKeptFans.
     HazePass(const gpu::Device& device, const HazeIntegrator& settings, const Fragments& fragments,
              std::uint32_t batch_size, std::uint32_t light_count, const DistanceImages* distances,
-             FanDetail detail);
+             FanDetail detail, std::uint32_t most_kept = kKeptFans);
 
     // Of gate: segments, from the next frame on.
     void set_quality(const HazeQuality& quality);

@@ -6,17 +6,17 @@
 #include "render/pixels/plane.h"
 
 #include <cstdint>
+#include <vector>
 
 namespace ghost::render {
 
 struct FragmentPlanes {
-    int width = 0; // of the picture; extra fragments lie in rows below it
+    int width = 0; // of the picture
     int height = 0;
-    Plane surfaces; // rgba16f
-    Plane haze;     // rgba16f, of the picture; or none
-    Plane places;   // rgba32f
-    Plane edges;    // rg32ui
-    Plane sources;  // r16ui, as edges: of haze (silhouettes.comp)
+    std::vector<DrawnLights> drawn; // of which the first one gets what is folded; no haze: there is none
+    Plane places;                   // rgba32f
+    Plane edges;                    // rg32ui
+    Plane sources;                  // r16ui, as edges: of haze (silhouettes.comp)
     std::uint32_t edge_count = 0;
     bool corners = false; // haze was sampled at the corners of the pixels
 };

@@ -18,4 +18,18 @@ struct Plane {
     std::uint8_t* row(int y) const { return at + static_cast<std::size_t>(y) * row_bytes; }
 };
 
+// What was drawn of some lights: their light on surfaces, and in the air. rgba16f; extra fragments lie in
+// rows below the picture.
+struct DrawnLights {
+    Plane surfaces, haze;
+};
+
+// Texels of a plane.
+struct PlanePart {
+    int x0 = 0;
+    int y0 = 0;
+    int x1 = 0; // beyond the last one
+    int y1 = 0;
+};
+
 } // namespace ghost::render

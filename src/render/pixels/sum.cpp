@@ -91,22 +91,28 @@ VECTORS F8 mean_of_corners(const Plane& haze, int x, int y) {
     return _mm256_mul_ps(_mm256_set1_ps(0.25f), sum);
 }
 
+struct ColumnRange {
+    int from = 0;
+    int to = 0; // beyond the last one
+};
+
 // Of a row of pixels: to the frame, or to a kept image.
 VECTORS void add_pixel_row(const ImageAddition& images, const std::vector<Weighted>& rows, const Plane& base,
-                           int width, const Plane& frame, const Plane& kept, int y) {
-    const int texels = (width + 1) / 2;
+                           int width, const Plane& frame, const Plane& kept, int y,
+                           const ColumnRange& columns) {
+    const int texels = (columns.to + 1) / 2;
     float sums[8 * kTogether];
-    for (int first = 0; first < texels; first += kTogether) {
+    for (int first = columns.from / 2; first < texels; first += kTogether) {
         const int count = std::min(kTogether, texels - first);
         add_kept(rows, first, count, sums);
         for (int k = 0; k < count; ++k) {
             const int x = 2 * (first + k);
             F8 sum = spread_six(_mm256_loadu_ps(sums + std::ptrdiff_t{8} * k));
             if (base) sum = _mm256_add_ps(sum, load_pair(base.row(y), x, width));
-            if (images.surfaces) {
-                sum = _mm256_add_ps(sum, load_pair(images.surfaces.row(y), x, width));
-                sum = _mm256_add_ps(sum, images.corners ? mean_of_corners(images.haze, x, y)
-                                                        : load_pair(images.haze.row(y), x, width));
+            for (const DrawnLights& drawn : images.drawn) {
+                sum = _mm256_add_ps(sum, load_pair(drawn.surfaces.row(y), x, width));
+                sum = _mm256_add_ps(sum, images.corners ? mean_of_corners(drawn.haze, x, y)
+                                                        : load_pair(drawn.haze.row(y), x, width));
             }
             if (kept) {
                 store_halves(kept.row(y) + kTexelBytes * static_cast<std::size_t>(first + k),
@@ -123,20 +129,20 @@ VECTORS void add_pixel_row(const ImageAddition& images, const std::vector<Weight
 }
 
 VECTORS void add_point_row(const ImageAddition& images, const std::vector<Weighted>& rows, const Plane& white,
-                           const Plane& points, int y) {
+                           const Plane& points, int y, const ColumnRange& columns) {
     const __m128 one = _mm_set1_ps(1.0f);
     float sums[8 * kTogether];
-    for (int first = 0; first < points.width; first += kTogether) {
-        const int count = std::min(kTogether, points.width - first);
+    for (int first = columns.from; first < columns.to; first += kTogether) {
+        const int count = std::min(kTogether, columns.to - first);
         add_kept(rows, first, count, sums);
         for (int k = 0; k < count; ++k) {
             const std::size_t x = static_cast<std::size_t>(first) + static_cast<std::size_t>(k);
             F8 sum = spread_six(_mm256_loadu_ps(sums + std::ptrdiff_t{8} * k));
-            if (images.surfaces) {
+            for (const DrawnLights& drawn : images.drawn) {
                 const __m128 light =
-                    _mm256_castps256_ps128(load_four_halves(images.surfaces.row(y) + kPixelBytes * x));
+                    _mm256_castps256_ps128(load_four_halves(drawn.surfaces.row(y) + kPixelBytes * x));
                 const __m128 haze =
-                    _mm256_castps256_ps128(load_four_halves(images.haze.row(y) + kPixelBytes * x));
+                    _mm256_castps256_ps128(load_four_halves(drawn.haze.row(y) + kPixelBytes * x));
                 sum = _mm256_add_ps(sum, without_alpha(_mm256_set_m128(haze, light)));
             }
             if (white) {
@@ -149,14 +155,17 @@ VECTORS void add_point_row(const ImageAddition& images, const std::vector<Weight
     }
 }
 
-void each_sum(const ImageAddition& images, int height,
-              const std::function<void(const std::vector<Weighted>&, int y)>& row) {
+void each_sum(const ImageAddition& images, int width, int height,
+              const std::function<void(const std::vector<Weighted>&, int y, const ColumnRange&)>& row) {
     const std::vector<float> lanes = lanes_of(images.kept);
     each_rows(height, [&](int from, int to) {
         std::vector<Weighted> rows;
         for (int y = from; y < to; ++y) {
             rows_of(images, lanes, y, rows);
-            row(rows, y);
+            if (images.parts.empty()) row(rows, y, {0, width});
+            for (const PlanePart& part : images.parts)
+                if (y >= part.y0 && y < part.y1)
+                    row(rows, y, {std::max(part.x0, 0), std::min(part.x1, width)});
         }
     });
 }
@@ -164,21 +173,24 @@ void each_sum(const ImageAddition& images, int height,
 } // namespace
 
 void add_pixels(const ImageAddition& images, const Plane& base, const Plane& frame) {
-    each_sum(images, frame.height, [&](const std::vector<Weighted>& rows, int y) {
-        add_pixel_row(images, rows, base, frame.width, frame, {}, y);
-    });
+    each_sum(images, frame.width, frame.height,
+             [&](const std::vector<Weighted>& rows, int y, const ColumnRange& columns) {
+                 add_pixel_row(images, rows, base, frame.width, frame, {}, y, columns);
+             });
 }
 
 void keep_pixels(const ImageAddition& images, const Plane& base, int width, const Plane& kept) {
-    each_sum(images, kept.height, [&](const std::vector<Weighted>& rows, int y) {
-        add_pixel_row(images, rows, base, width, {}, kept, y);
-    });
+    each_sum(images, width, kept.height,
+             [&](const std::vector<Weighted>& rows, int y, const ColumnRange& columns) {
+                 add_pixel_row(images, rows, base, width, {}, kept, y, columns);
+             });
 }
 
 void add_points(const ImageAddition& images, const Plane& white, const Plane& points) {
-    each_sum(images, points.height, [&](const std::vector<Weighted>& rows, int y) {
-        add_point_row(images, rows, white, points, y);
-    });
+    each_sum(images, points.width, points.height,
+             [&](const std::vector<Weighted>& rows, int y, const ColumnRange& columns) {
+                 add_point_row(images, rows, white, points, y, columns);
+             });
 }
 
 } // namespace ghost::render

@@ -18,8 +18,9 @@ struct KeptImage {
 struct ImageAddition {
     std::vector<KeptImage> kept;
     std::size_t kept_row_bytes = 0;
-    Plane surfaces, haze; // rgba16f, of the lights drawn just now; or none
-    bool corners = false; // haze was sampled at the corners of the pixels
+    std::vector<DrawnLights> drawn; // just now
+    bool corners = false;           // haze was sampled at the corners of the pixels
+    std::vector<PlanePart> parts;   // nothing but these, which begin at even columns; empty: all
 };
 
 // base: rgba16f, or none; frame: rgba16f.

@@ -2,10 +2,8 @@
 #include "render/relight/dirty_tiles.h"
 
 #include "base/check.h"
-#include "shaders/changed_bounds.h"
+#include "render/relight/tile_lists.h"
 #include "shared/beam.h"
-#include "shared/g_buffer.h"
-#include "shared/push.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,10 +12,6 @@
 namespace ghost::render {
 namespace {
 
-constexpr std::uint32_t kBoundsGroup = 64; // changed_bounds.comp
-// Pixels of a stale tile take haze of their neighbours (fold.comp, wide beams): one tile around is drawn too.
-constexpr int kAroundX = static_cast<int>(shared::kTileWidth);
-constexpr int kAroundY = static_cast<int>(shared::kTileHeight);
 // A silhouette takes the haze of the pixel beside it: what changed there changes here.
 constexpr int kBeside = 1;
 
@@ -25,23 +19,7 @@ PixelRect grown(const PixelRect& rect, int x, int y) {
     return {rect.x0 - x, rect.y0 - y, rect.x1 + x, rect.y1 + y};
 }
 
-std::vector<std::uint32_t> bits_of(const TileSet& tiles, std::size_t words) {
-    std::vector<std::uint32_t> bits(words, 0);
-    for (const std::uint32_t tile : tiles.list()) bits[tile / 32] |= 1u << (tile % 32);
-    return bits;
-}
-
 } // namespace
-
-DirtyTiles::DirtyTiles(const gpu::Device& device, const Fragments& fragments, const gpu::Buffer& rooms)
-    : fragments_(fragments), rooms_(rooms), program_(device, shaders::kShader_changed_bounds) {
-    const Fragments& f = fragments;
-    bounds_ = gpu::Buffer(device, f.tile_bounds.bytes(), gpu::Access::device);
-    const std::uint64_t words = (std::uint64_t{f.tiles_x} * f.tiles_y + 31) / 32;
-    wanted_ = gpu::Buffer(device, words * sizeof(std::uint32_t), gpu::Access::device);
-    for (gpu::Buffer* list : {&tiles_, &drawn_tiles_})
-        *list = gpu::Buffer(device, kMostTiles * sizeof(std::uint32_t), gpu::Access::device);
-}
 
 bool DirtyTiles::touch(const std::vector<PixelRect>& rects) {
     bool fits = true;
@@ -49,7 +27,7 @@ bool DirtyTiles::touch(const std::vector<PixelRect>& rects) {
     for (auto& [slot, kept] : kept_) {
         if (kept.stale.empty()) kept.since = touches_;
         for (const PixelRect& rect : rects) kept.stale.add(grown(rect, kBeside, kBeside));
-        fits = fits && kept.stale.count() <= kMostTiles;
+        fits = fits && kept.stale.count() <= TileLists::kMostTiles;
     }
     return fits;
 }
@@ -95,14 +73,14 @@ void DirtyTiles::add_reaching(const std::vector<int>& indices, const std::vector
     for (const int index : indices) {
         const shared::Light& light = lights[static_cast<std::size_t>(index)];
         if (std::any_of(rects.begin(), rects.end(), [&](const PixelRect& rect) {
-                return may_reach(light, fragments_.camera, grown(rect, kAroundX, kAroundY));
+                return may_reach(light, fragments_.camera, TileLists::around(rect));
             }))
             to.push_back(index);
     }
 }
 
-ImageSum DirtyTiles::patch(const ImageSum& sum, const std::vector<shared::Light>& lights,
-                           TileSet& tiles) const {
+ImageSum DirtyTiles::patch(const ImageSum& sum, const std::vector<shared::Light>& lights, TileSet& tiles,
+                           Lights which) const {
     tiles = TileSet(static_cast<int>(fragments_.width), static_cast<int>(fragments_.height));
     for (const Addend& addend : sum.addends)
         if (is_stale(addend.slot)) tiles.add(kept_.at(addend.slot).stale);
@@ -110,7 +88,7 @@ ImageSum DirtyTiles::patch(const ImageSum& sum, const std::vector<shared::Light>
     ImageSum patch;
     patch.target = sum.target;
     patch.base = sum.base;
-    add_reaching(sum.lights, lights, rects, patch.lights);
+    if (which == Lights::all) add_reaching(sum.lights, lights, rects, patch.lights);
     for (const Addend& addend : sum.addends) {
         if (!is_stale(addend.slot)) {
             patch.addends.push_back(addend);
@@ -123,32 +101,9 @@ ImageSum DirtyTiles::patch(const ImageSum& sum, const std::vector<shared::Light>
     return patch;
 }
 
-std::uint32_t DirtyTiles::record(gpu::Commands& commands, int slot) {
+TileSet DirtyTiles::take_stale(int slot) {
     const TileSet fresh(static_cast<int>(fragments_.width), static_cast<int>(fragments_.height));
-    return record(commands, std::exchange(kept_.at(slot).stale, fresh));
-}
-
-std::uint32_t DirtyTiles::record(gpu::Commands& commands, const TileSet& stale) {
-    const Fragments& f = fragments_;
-    const std::uint32_t tiles = f.tiles_x * f.tiles_y;
-    const std::size_t words = (tiles + 31) / 32;
-    TileSet around(static_cast<int>(f.width), static_cast<int>(f.height));
-    for (const PixelRect& rect : stale.rects()) around.add(grown(rect, kAroundX, kAroundY));
-    commands.begin_span("mend");
-    for (const bool blocks : {false, true}) {
-        commands.write(wanted_, bits_of(blocks ? stale : around, words));
-        commands.dispatch(program_, shared::ChangedBoundsPush{tiles, f.blocks, blocks ? 1u : 0u},
-                          shaders::ChangedBoundsBindings{.tile_bounds = gpu::storage(f.tile_bounds),
-                                                         .changed_bounds = gpu::storage(bounds_),
-                                                         .rooms = gpu::storage(rooms_),
-                                                         .wanted = gpu::storage(wanted_)},
-                          (tiles + f.blocks + kBoundsGroup - 1) / kBoundsGroup);
-        commands.barrier();
-    }
-    commands.write(tiles_, stale.list());
-    drawn_count_ = around.count() <= kMostTiles ? static_cast<std::uint32_t>(around.count()) : 0;
-    if (drawn_count_ > 0) commands.write(drawn_tiles_, around.list());
-    return static_cast<std::uint32_t>(stale.count());
+    return std::exchange(kept_.at(slot).stale, fresh);
 }
 
 bool may_reach(const shared::Light& light, const shared::View& view, const PixelRect& rect) {

@@ -5,16 +5,8 @@
 #include "base/log.h"
 #include "gpu/device_memory.h"
 #include "render/pixels/processor.h"
-#include "shaders/bounce.h"
-#include "shaders/clear_tiles.h"
-#include "shaders/cull.h"
 #include "shaders/develop.h"
-#include "shaders/fold.h"
 #include "shaders/meter.h"
-#include "shaders/silhouettes.h"
-#include "shaders/surface.h"
-#include "shaders/surface_live.h"
-#include "shaders/visibility.h"
 #include "shared/develop.h"
 
 #include <algorithm>
@@ -32,8 +24,6 @@ namespace {
 constexpr std::uint64_t kImageBytesPerPixel = 8; // six half floats for two pixels, and room
 constexpr std::uint64_t kMaxLayers = 2048;       // of an image, on every device
 constexpr std::uint32_t kFixedImages = 1;        // all that rests
-constexpr std::uint32_t kCullLanes = 8;          // of cull.comp, as far as a workgroup has room for
-constexpr std::uint32_t kCullTiles = 64;         // its tiles
 constexpr std::uint64_t kShareOfMemory = 8;      // that is left, for kept visibility
 constexpr std::uint64_t kFrameBytesPerPixel = 8; // four half floats
 
@@ -45,10 +35,6 @@ std::uint32_t batch_size(const gpu::Device& device, const Settings& settings) {
     if (settings.lights_per_dispatch > 0)
         return settings.lights_per_dispatch == 1 ? 1 : shared::kLightsPerChunk;
     return device.is_cpu() ? 1 : shared::kLightsPerChunk;
-}
-
-std::uint32_t cull_lanes(const gpu::Device& device) {
-    return std::min(kCullLanes, device.limits().work_group_invocations / kCullTiles);
 }
 
 bool same_faces(const std::vector<scene::LensFace>& a, const std::vector<scene::LensFace>& b) {
@@ -109,61 +95,49 @@ Relighter::Relighter(const gpu::Device& device, PassImages passes, const GBuffer
     : device_(device), settings_(settings), batch_size_(batch_size(device, settings)),
       light_count_(light_count), passes_(std::move(passes)), g_buffer_(g_buffer), distances_(distances),
       coarse_(settings.coarse ? std::make_unique<CoarseLight>(device, *g_buffer) : nullptr), slot_count_(0),
-      tree_(light_count, slot_count_), units_(passes_.bounces.bytes() > 0),
-      cull_(device, shaders::kShader_cull,
-            {0u, g_buffer && distances ? 1u : 0u, batch_size_ == 1 ? 1u : cull_lanes(device)}),
-      clear_(device, shaders::kShader_clear_tiles), bounce_(device, shaders::kShader_bounce),
-      silhouettes_(device, shaders::kShader_silhouettes),
-      fold_(device, shaders::kShader_fold,
-            {settings.air ? 1u : 0u, settings.beams.beams == Beams::gate ? 0u : 1u}),
-      meter_(device, shaders::kShader_meter),
-      haze_(device, settings.beams, fragments(), batch_size_, static_cast<std::uint32_t>(light_count),
-            distances, settings.coarse ? FanDetail::plain : FanDetail::fine),
+      tree_(light_count, slot_count_), units_(passes_.bounces.bytes() > 0), commands_(device),
+      main_(device, painter_shape(kKeptFans), &commands_), meter_(device, shaders::kShader_meter),
       led_walls_(device), lens_(device, settings.lens),
-      glare_(device, seen().width, seen().height, settings.glare), commands_(device) {
+      glare_(device, seen().width, seen().height, settings.glare) {
     CHECK(!settings.coarse || (settings.beams.beams == Beams::gate && !settings.illuminance));
     for (std::uint32_t tone = 0; tone < develop_.size(); ++tone)
         develop_[tone] = gpu::LateProgram(device, shaders::kShader_develop, std::vector{tone});
-    make_surface_programs();
-    visible_ = gpu::LateProgram(device, shaders::kShader_visibility, {0u, batch_size_ == 1 ? 1u : 0u});
-    visible_.expect();
-    if (g_buffer) dirty_tiles_ = std::make_unique<DirtyTiles>(device, fragments(), rooms());
-    if (settings.beams.beams == Beams::gate && settings.beams.most_wide_step > 1)
-        wide_ = std::make_unique<WideBeams>(device, fragments().width, fragments().height);
-    // In one frame every light is drawn at most three times, into an image to keep, into the frame and where
-    // that is patched; each draw begins a chunk.
+    if (g_buffer) dirty_tiles_ = std::make_unique<DirtyTiles>(fragments());
+    // See LightPainter.
     const std::uint64_t draws = kMostDraws * static_cast<std::uint64_t>(light_count) + shared::kBeamClasses;
     if (g_buffer && distances && settings.visibility_bytes > 0)
         visibility_ = std::make_unique<Visibility>(
             device, fragments(), rooms(), distances->count(), draws,
             std::min(settings.visibility_bytes, device.memory().left_bytes() / kShareOfMemory));
     no_pages_ = gpu::Texture(device, {1, 1, 1, 1, VK_FORMAT_R16G16_UNORM, true, false});
-    nothing_ = gpu::Buffer(device, kChunkAlign, gpu::Access::device);
-    lights_ = gpu::Buffer(device, draws * kLightRoom + kChunkBytes, gpu::Access::upload);
-    // Every image is an addend three times at most, of the one above it, of what rests or the frame, and of
-    // the patch.
-    const std::uint64_t sums = 2 * static_cast<std::uint64_t>(light_count) + kFixedImages;
-    addends_ = gpu::Buffer(device, 3 * sums * kChunkAlign + kAddendBytes, gpu::Access::upload);
-    upload(gobos, batch_size_ == 1 ? std::min<std::uint64_t>(shared::kLightsPerChunk, draws) : 1);
+    nothing_ = gpu::Buffer(device, LightPainter::kChunkAlign, gpu::Access::device);
+    upload(gobos);
     make_images();
+    painter_of_.assign(static_cast<std::size_t>(light_count), ~std::size_t{0});
+    // Their images are added by the processor's own vectors alone.
+    if (!settings.workers || !on_processor_ || batch_size_ != 1) return;
+    const std::size_t count = device.workers().size();
+    for (const auto& painter : device.workers())
+        painters_.push_back(std::make_unique<LightPainter>(
+            *painter, painter_shape(kKeptFans / static_cast<std::uint32_t>(count)), nullptr));
 }
 
-void Relighter::make_surface_programs() {
-    const std::uint32_t single = batch_size_ == 1 ? 1 : 0;
-    for (std::uint32_t kind = 0; kind < shared::kBeamClasses; ++kind) {
-        const auto program = [&](std::uint32_t thin, std::uint32_t keeps) {
-            return g_buffer_ ? gpu::LateProgram(device_, shaders::kShader_surface_live,
-                                                {kind, single, distances_ ? 1u : 0u,
-                                                 settings_.illuminance ? 1u : 0u, thin, keeps})
-                             : gpu::LateProgram(device_, shaders::kShader_surface, {kind, single, thin});
-        };
-        surface_[kind] = program(0, 1);
-        thin_surface_[kind] = program(1, 1);
-        direct_surface_[kind] = program(1, 0);
-        if (kind < shared::kPlanesClass) (void)surface_[kind].get();
-        for (const auto* programs : {&surface_, &thin_surface_, &direct_surface_})
-            if (shared::may_be_of_wheels(kind)) (*programs)[kind].expect();
-    }
+PainterShape Relighter::painter_shape(std::uint32_t most_fans) const {
+    return {.beams = settings_.beams,
+            .fragments = fragments(),
+            .distances = g_buffer_ ? distances_ : nullptr,
+            .from_passes = !g_buffer_,
+            .illuminance = settings_.illuminance,
+            .air = settings_.air,
+            .coarse = settings_.coarse,
+            .batch_size = batch_size_,
+            .light_count = static_cast<std::uint32_t>(light_count_),
+            .most_fans = most_fans};
+}
+
+void Relighter::on_all(const std::function<void(LightPainter&)>& what) {
+    what(main_);
+    for (const auto& painter : painters_) what(*painter);
 }
 
 shared::Air even_air() {
@@ -205,27 +179,29 @@ void Relighter::set_tone(image::Tone tone) {
 
 void Relighter::set_quality(const HazeQuality& quality) {
     CHECK(quality.wide_beam_step <= settings_.beams.most_wide_step);
-    haze_.set_quality(quality);
+    on_all([&](LightPainter& painter) {
+        painter.haze.set_quality(quality);
+        painter.wide_prepared = painter.wide_prepared && quality.wide_beam_step == wide_step_;
+    });
     if (std::exchange(uses_grid_, quality.grid) && !quality.grid) draw_anew();
-    wide_prepared_ = wide_prepared_ && quality.wide_beam_step == wide_step_;
     wide_step_ = quality.wide_beam_step;
 }
 
 void Relighter::set_flies(bool flies) {
     flies_ = flies;
-    haze_.set_flies(flies);
+    on_all([&](LightPainter& painter) { painter.haze.set_flies(flies); });
 }
 
 void Relighter::forget() {
     draw_anew();
     if (coarse_) coarse_->forget();
     if (visibility_) visibility_->forget();
-    haze_.forget();
+    on_all([](LightPainter& painter) { painter.haze.forget(); });
 }
 
 void Relighter::reset() {
     forget();
-    haze_.reset();
+    on_all([](LightPainter& painter) { painter.haze.reset(); });
     tree_ = LightTree(light_count_, slot_count_);
     budget_ = {};
 }
@@ -233,7 +209,7 @@ void Relighter::reset() {
 void Relighter::draw_anew() {
     tree_.invalidate_all();
     if (dirty_tiles_) dirty_tiles_->forget();
-    wide_prepared_ = silhouettes_known_ = false;
+    on_all([](LightPainter& painter) { painter.forget_stage(); });
     units_.forget();
 }
 
@@ -251,7 +227,7 @@ void Relighter::touch() {
         draw_anew();
         return;
     }
-    wide_prepared_ = silhouettes_known_ = false;
+    on_all([](LightPainter& painter) { painter.forget_stage(); });
     touched_ = touched_ || !rects.empty();
     tree_.invalidate_frame();
     if (!dirty_tiles_->touch(rects)) draw_anew();
@@ -259,36 +235,17 @@ void Relighter::touch() {
 
 Relighter::~Relighter() = default;
 
-void Relighter::upload(const shared::Gobos& gobos, std::uint64_t batches) {
+void Relighter::upload(const shared::Gobos& gobos) {
     using gpu::Access;
     using gpu::Buffer;
     using gpu::Texture;
-    const Fragments& f = fragments();
     air_ = Buffer(device_, sizeof(shared::Air), Access::upload);
     std::memcpy(air_.mapped(), &settings_.air_field, sizeof settings_.air_field);
-    groups_ = Buffer(device_, batches * sizeof(shared::TileGroups), Access::device);
-    work_ = Buffer(device_, sizeof(shared::FrameWork), Access::device);
     work_read_ = Buffer(device_, sizeof(shared::FrameWork), Access::readback);
     exposure_ = Buffer(device_, sizeof(glm::vec4), Access::readback);
     const Fragments& whole = seen();
     pixels_ = Buffer(device_, std::uint64_t{4} * whole.width * whole.height, Access::readback);
     picture_ = Texture(device_, {whole.width, whole.height, 1, 1, VK_FORMAT_R8G8B8A8_UNORM, true, false});
-    drawn_ = Texture(device_,
-                     {f.width, f.places.shape().height, 2, 1, VK_FORMAT_R16G16B16A16_SFLOAT, true, false});
-    haze_sources_ = Texture(
-        device_, {f.edges.shape().width, f.edges.shape().height, 1, 1, VK_FORMAT_R16_UINT, true, false});
-    const std::uint64_t tiles = std::uint64_t{f.tiles_x} * f.tiles_y;
-    // A G-buffer has another number of them each time; there is room for so many.
-    const std::uint64_t blocks =
-        std::uint64_t{f.places.shape().height - f.height} * f.width / shared::kTilePixels + 1;
-    masks_ =
-        Buffer(device_, 2 * (tiles + blocks) * shared::kMaskWords * sizeof(std::uint32_t), Access::device);
-    lists_ =
-        Buffer(device_,
-               (shared::kListCounts + batches * shared::lists_length(static_cast<std::uint32_t>(tiles),
-                                                                     static_cast<std::uint32_t>(blocks))) *
-                   sizeof(std::uint32_t),
-               Access::device);
     gobos_ = Texture(device_, {shared::kGoboSize, shared::kGoboSize, static_cast<std::uint32_t>(gobos.layers),
                                shared::kGoboLevels, VK_FORMAT_E5B9G9R9_UFLOAT_PACK32, false, true});
     for (std::uint32_t level = 0; level < shared::kGoboLevels; ++level)
@@ -349,7 +306,7 @@ void Relighter::make_images() {
 
     // Of every format that the steps read and write.
     const std::array<const gpu::Texture*, 7> textures{
-        &frame_, &kept_, &drawn_, &haze_sources_, &seen().places, &seen().edges, &seen().base};
+        &frame_, &kept_, &main_.drawn, &main_.haze_sources, &seen().places, &seen().edges, &seen().base};
     on_processor_ = settings_.pixels_on_processor && has_vectors() &&
                     std::all_of(textures.begin(), textures.end(),
                                 [](const gpu::Texture* texture) { return texture->mapped() != nullptr; });
@@ -399,10 +356,9 @@ FrameStatistics Relighter::draw(const scene::FrameLights& lit, const std::functi
     statistics.is_short = budget_.is_short();
     statistics.additions = plan.additions;
     if (!plan.sums.empty()) {
-        lights_used_ = addends_used_ = 0;
-        haze_.begin_frame();
+        on_all([](LightPainter& painter) { painter.begin_frame(); });
         commands_.begin();
-        commands_.write(work_, std::vector<shared::FrameWork>(1));
+        commands_.write(main_.work, std::vector<shared::FrameWork>(1));
         if (coarse_) coarse_->update(commands_);
         if (visibility_) visibility_->begin_frame(commands_, pages_full_);
         if (!new_slides_.empty()) commands_.begin_span("slides");
@@ -419,16 +375,23 @@ FrameStatistics Relighter::draw(const scene::FrameLights& lit, const std::functi
         drawing_ = nullptr;
         touched_ = false;
         statistics.faces = lens_.drawn();
-        const auto* work = static_cast<const shared::FrameWork*>(work_read_.mapped());
-        statistics.haze_tiles = static_cast<int>(work->haze_tiles);
-        statistics.surface_tiles = static_cast<int>(work->surface_tiles);
-        statistics.made_units = static_cast<int>(work->made_units);
-        statistics.direct_units = static_cast<int>(work->direct_units);
-        pages_full_ = work->units_without_page > 0;
+        pages_full_ = false;
+        add_work(*static_cast<const shared::FrameWork*>(work_read_.mapped()), statistics);
+        for (const auto& painter : painters_)
+            if (painter->has_drawn)
+                add_work(*static_cast<const shared::FrameWork*>(painter->work.mapped()), statistics);
     }
     statistics.draw_ms =
         std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
     return statistics;
+}
+
+void Relighter::add_work(const shared::FrameWork& work, FrameStatistics& statistics) {
+    statistics.haze_tiles += static_cast<int>(work.haze_tiles);
+    statistics.surface_tiles += static_cast<int>(work.surface_tiles);
+    statistics.made_units += static_cast<int>(work.made_units);
+    statistics.direct_units += static_cast<int>(work.direct_units);
+    pages_full_ = pages_full_ || work.units_without_page > 0;
 }
 
 // False: it was stopped, and nothing is recorded.
@@ -448,8 +411,11 @@ bool Relighter::make_images_of(const Plan& plan, FrameStatistics& statistics) {
                 else
                     statistics.mended += mend(addend.slot);
             }
-        draw_sum(sum);
-        if (patches) statistics.mended += patch(sum);
+        if (patches && on_processor_)
+            statistics.mended += draw_with_patch(sum);
+        else
+            draw_sum(sum);
+        if (patches && !on_processor_) statistics.mended += patch(sum);
         if (statistics.stopped) {
             tree_.unmake(std::span(plan.sums).subspan(k));
             return false;
@@ -464,39 +430,90 @@ void Relighter::run_commands(FrameStatistics& statistics) {
     statistics.spans.insert(statistics.spans.end(), commands_.spans().begin(), commands_.spans().end());
 }
 
+void Relighter::record_on(LightPainter& painter) {
+    if (&painter == &main_) {
+        run_workers();
+        return;
+    }
+    if (painter.is_recording) return;
+    run_commands(*drawing_);
+    commands_.begin();
+    painter.commands.begin();
+    painter.is_recording = true;
+    if (!std::exchange(painter.has_drawn, true))
+        painter.commands.write(painter.work, std::vector<shared::FrameWork>(1));
+}
+
+// Side by side.
+void Relighter::run_workers() {
+    for (const auto& painter : painters_)
+        if (painter->is_recording) painter->commands.submit();
+    for (const auto& painter : painters_) {
+        if (!std::exchange(painter->is_recording, false)) continue;
+        painter->commands.wait();
+        const std::vector<gpu::Span>& spans = painter->commands.spans();
+        drawing_->spans.insert(drawing_->spans.end(), spans.begin(), spans.end());
+    }
+}
+
 // Between two lights: does what was recorded, and asks.
-bool Relighter::wants_stop() {
-    if (!stop_ || mended_tiles_ > 0) return false;
+bool Relighter::wants_stop(LightPainter& painter) {
+    if (!stop_ || painter.mended_tiles > 0) return false;
     run_commands(*drawing_);
     drawing_->stopped = stop_();
     if (!drawing_->stopped) commands_.begin();
+    painter.begin_lights(); // those before are drawn
     return drawing_->stopped;
+}
+
+// Draws an image again in these tiles: by one painter, for there is little to do.
+void Relighter::draw_tiles(const ImageSum& sum, const TileSet& tiles) {
+    LightPainter* painter = &main_;
+    if (uses_workers()) {
+        const std::size_t known =
+            sum.lights.empty() ? 0 : painter_of_[static_cast<std::size_t>(sum.lights[0])];
+        painter = painters_[known < painters_.size() ? known : next_painter_++ % painters_.size()].get();
+    }
+    record_on(*painter);
+    painter->mended_tiles = painter->mending->record(painter->commands, rooms(), tiles);
+    draw_part(*painter, sum);
+    painter->mended_tiles = 0;
 }
 
 // Draws an image again where it is stale.
 int Relighter::mend(int slot) {
     if (!dirty_tiles_ || !dirty_tiles_->is_stale(slot)) return 0;
     const ImageSum sum = dirty_tiles_->mend(slot, units_.lights());
-    mended_tiles_ = dirty_tiles_->record(commands_, slot);
-    draw_sum(sum);
-    mended_tiles_ = 0;
+    draw_tiles(sum, dirty_tiles_->take_stale(slot));
     return static_cast<int>(sum.lights.size());
+}
+
+// Draws the frame, lights that rest where the images of these are stale.
+int Relighter::draw_with_patch(const ImageSum& sum) {
+    TileSet tiles;
+    const ImageSum patch = dirty_tiles_->patch(sum, units_.lights(), tiles, DirtyTiles::Lights::resting);
+    int mended = 0;
+    if (tiles.count() > TileLists::kMostTiles) {
+        for (const Addend& addend : sum.addends) mended += mend(addend.slot);
+        draw_sum(sum);
+        return mended;
+    }
+    draw_patched(sum, patch, tiles);
+    return static_cast<int>(patch.lights.size());
 }
 
 // Draws the frame again where images are stale that it was summed from.
 int Relighter::patch(const ImageSum& sum) {
     TileSet tiles;
-    const ImageSum patch = dirty_tiles_->patch(sum, units_.lights(), tiles);
+    const ImageSum patch = dirty_tiles_->patch(sum, units_.lights(), tiles, DirtyTiles::Lights::all);
     if (tiles.empty()) return 0;
-    if (tiles.count() > DirtyTiles::kMostTiles) {
+    if (tiles.count() > TileLists::kMostTiles) {
         int mended = 0;
         for (const Addend& addend : sum.addends) mended += mend(addend.slot);
         draw_sum(sum);
         return mended;
     }
-    mended_tiles_ = dirty_tiles_->record(commands_, tiles);
-    draw_sum(patch);
-    mended_tiles_ = 0;
+    draw_tiles(patch, tiles);
     return static_cast<int>(patch.lights.size() - sum.lights.size());
 }
 
@@ -534,21 +551,21 @@ float Relighter::ev100_used() const {
 
 std::uint64_t Relighter::memory_bytes() const {
     std::uint64_t sum =
-        picture_bytes() + haze_.memory_bytes() + gobos_.bytes() + slides_.bytes() + slides_upload_.bytes();
+        picture_bytes() + main_.memory_bytes() + gobos_.bytes() + slides_.bytes() + slides_upload_.bytes();
+    for (const auto& painter : painters_) sum += painter->memory_bytes();
     if (distances_) sum += distances_->bytes();
-    for (const gpu::Buffer* buffer : {&lights_, &addends_, &groups_, &work_, &work_read_, &exposure_})
-        sum += buffer->bytes();
+    for (const gpu::Buffer* buffer : {&work_read_, &exposure_}) sum += buffer->bytes();
     return sum;
 }
 
 std::uint64_t Relighter::picture_bytes() const {
-    std::uint64_t sum =
-        lens_.memory_bytes() + glare_.memory_bytes() + (wide_ ? wide_->memory_bytes() : 0) +
-        (visibility_ ? visibility_->memory_bytes() : 0) + (dirty_tiles_ ? dirty_tiles_->memory_bytes() : 0) +
-        (room_light_ ? room_light_->memory_bytes() : 0) + (coarse_ ? coarse_->memory_bytes() : 0);
-    for (const gpu::Buffer* buffer : {&masks_, &lists_, &pixels_}) sum += buffer->bytes();
-    for (const gpu::Texture* texture : {&frame_, &kept_, &drawn_, &haze_sources_, &picture_})
-        sum += texture->bytes();
+    std::uint64_t sum = lens_.memory_bytes() + glare_.memory_bytes() + main_.picture_bytes() +
+                        (visibility_ ? visibility_->memory_bytes() : 0) +
+                        (room_light_ ? room_light_->memory_bytes() : 0) +
+                        (coarse_ ? coarse_->memory_bytes() : 0);
+    for (const auto& painter : painters_) sum += painter->picture_bytes();
+    sum += pixels_.bytes();
+    for (const gpu::Texture* texture : {&frame_, &kept_, &picture_}) sum += texture->bytes();
     if (g_buffer_) return sum + g_buffer_->memory_bytes();
     const Fragments& f = fragments();
     for (const gpu::Texture* texture : {&passes_.radiance, &passes_.bounces, &f.places, &f.edges, &f.base})

@@ -18,12 +18,14 @@
 #include "render/haze/distance_images.h"
 #include "render/haze/haze_pass.h"
 #include "render/haze/visibility.h"
+#include "render/pixels/plane.h"
 #include "render/relight/coarse_light.h"
 #include "render/relight/dirty_tiles.h"
 #include "render/relight/glare_pass.h"
 #include "render/relight/led_wall_pass.h"
 #include "render/relight/lens_pass.h"
 #include "render/relight/light_budget.h"
+#include "render/relight/light_painter.h"
 #include "render/relight/light_tree.h"
 #include "render/relight/light_units.h"
 #include "render/relight/room_light.h"
@@ -70,6 +72,8 @@ struct Settings {
     // Where the device is a processor with the vectors for it: render/pixels instead of shaders.
     bool pixels_on_processor = true;
     bool coarse = false; // of a G-buffer, gate: lights at half its sides (render/relight/coarse_light.h)
+    // Use those of the device (gpu/workers.h). Sums are rounded in another order then.
+    bool workers = false;
 };
 
 struct FrameStatistics {
@@ -153,31 +157,52 @@ private:
     Relighter(const gpu::Device& device, PassImages passes, const GBuffer* g_buffer,
               const DistanceImages* distances, const shared::Gobos& gobos, int light_count,
               const Settings& settings);
-    void make_surface_programs();
-    void upload(const shared::Gobos& gobos, std::uint64_t batches);
+    void upload(const shared::Gobos& gobos);
     void make_slides(const std::vector<shared::SlidePicture>& slides);
     void make_images();
-    void clear_drawn();
+    // Lights that a painter draws: whole, and where the frame is patched.
+    struct Share {
+        LightPainter* painter;
+        std::vector<int> lights, resting;
+        double work;
+    };
+    bool uses_workers() const { return !painters_.empty() && !stop_; }
+    std::vector<Share> shares_of(const std::vector<int>& lights, const std::vector<int>& resting);
+    double work_of(int light) const;
+    // What follows is recorded there, after all that was recorded elsewhere.
+    void record_on(LightPainter& painter);
+    void run_workers();
+    void clear_drawn(LightPainter& painter);
     void draw_sum(const ImageSum& sum);
-    void add_images(const ImageSum& sum);
+    void draw_patched(const ImageSum& sum, const ImageSum& patch, const TileSet& tiles);
+    bool draw_share(LightPainter& painter, const ImageSum& sum, const std::vector<int>& lights);
+    void draw_part(LightPainter& painter, const ImageSum& sum);
+    void add_images(LightPainter& painter, const ImageSum& sum);
+    std::uint32_t most_made(const LightPainter& painter) const;
     glm::vec3 weight_of(const Addend& addend) const {
         return addend.light >= 0 ? units_.weight(addend.light) : glm::vec3(1.0f);
     }
-    void fold_on_processor();
-    void add_on_processor(const ImageSum& sum);
+    void fold_on_processor(const LightPainter& painter, std::vector<DrawnLights> drawn);
+    void add_on_processor(const ImageSum& sum, const std::vector<DrawnLights>& drawn,
+                          const std::vector<PixelRect>& parts);
     void spread_on_processor();
     void develop_on_processor();
     // Does what was recorded, then a step of render/pixels, as a span.
     void step_on_processor(const char* span, const std::function<void()>& step);
-    const gpu::Program& sum_of(std::uint32_t parts, std::uint32_t addends);
     int mend(int slot);
+    int draw_with_patch(const ImageSum& sum);
     int patch(const ImageSum& sum);
+    void draw_tiles(const ImageSum& sum, const TileSet& tiles);
+    void add_work(const shared::FrameWork& work, FrameStatistics& statistics);
     bool make_images_of(const Plan& plan, FrameStatistics& statistics);
     void run_commands(FrameStatistics& statistics);
-    bool wants_stop();
+    bool wants_stop(LightPainter& painter);
     // Both: false where it was stopped.
-    bool draw_lights(const std::vector<shared::Light>& lights, std::uint32_t beam_class, bool wide);
-    void record_surfaces(const LightChunk& chunk, std::uint64_t keeps_offset);
+    bool draw_lights(LightPainter& painter, const std::vector<shared::Light>& lights,
+                     std::uint32_t beam_class, bool wide);
+    void record_surfaces(LightPainter& painter, const LightChunk& chunk, std::uint64_t keeps_offset);
+    PainterShape painter_shape(std::uint32_t most_fans) const;
+    void on_all(const std::function<void(LightPainter&)>& what);
     void finish_frame(const scene::FrameLights& lit);
     void add_to_frame(const scene::FrameLights& lit);
     void develop();
@@ -202,10 +227,10 @@ private:
     bool on_processor_ = false; // sum of the frame, spread, glare, tone curve
     bool flies_ = false;
     bool owes_ = false; // the last frame has parts that are stale
-    // Not of a picture at rest, whose lights are drawn once each, nor of one of a moment.
-    bool keeps_visibility() const { return visibility_ && !flies_ && !stop_; }
+    // Not of a picture at rest, whose lights are drawn once each, nor of one of a moment; where more lights
+    // turn than there is time for, the next ones are others.
+    bool keeps_visibility() const { return visibility_ && !flies_ && !stop_ && !budget_.is_short(); }
     std::unique_ptr<DirtyTiles> dirty_tiles_; // null: from passes, in which nothing moves
-    std::uint32_t mended_tiles_ = 0;          // above 0: only these tiles, of mender_, are drawn now
     bool touched_ = false;                    // since the last draw
     LightUnits units_;
     LightBudget budget_;
@@ -214,37 +239,23 @@ private:
     FrameStatistics* drawing_ = nullptr; // likewise
     std::vector<scene::LensFace> last_faces_;
     std::vector<shared::LedWall> last_walls_;
-    std::uint64_t lights_used_ = 0;  // bytes of lights_, in this frame
-    std::uint64_t addends_used_ = 0; // likewise
 
-    static constexpr std::uint64_t kChunkAlign = 256; // offset of a uniform buffer, at most, on every device
-    // Room that a light takes where it begins a chunk.
-    static constexpr std::uint64_t kLightRoom =
-        (sizeof(shared::Light) + kChunkAlign - 1) / kChunkAlign * kChunkAlign;
-    static constexpr std::uint64_t kAddendBytes = shared::kMostAddends * sizeof(shared::Addend);
-    static constexpr std::uint64_t kChunkBytes = shared::kLightsPerChunk * sizeof(shared::Light);
-    gpu::Program cull_, clear_, bounce_, silhouettes_, fold_;
+    gpu::Commands commands_;
+    LightPainter main_; // on the device, with commands_
+    std::vector<std::unique_ptr<LightPainter>> painters_;
+    std::vector<std::size_t> painter_of_; // lights: which drew it last; beyond all: none
+    std::size_t next_painter_ = 0;
     gpu::LateProgram meter_;
     std::array<gpu::LateProgram, shared::kToneCount> develop_;
-    std::array<gpu::LateProgram, shared::kBeamClasses> surface_, thin_surface_,
-        direct_surface_; // the last: where no visibility is kept
-    gpu::LateProgram visible_;
-    std::map<std::pair<std::uint32_t, std::uint32_t>, std::unique_ptr<gpu::Program>> sums_; // sum_of
-    HazePass haze_;
-    std::unique_ptr<WideBeams> wide_; // null: HazeIntegrator::most_wide_step is 1
     std::uint32_t wide_step_ = 1;
     bool uses_grid_ = false;
-    bool wide_prepared_ = false;
     bool saw_ = true;                       // glare_ has made what is seen of the frame
-    bool silhouettes_known_ = false;        // haze_sources_ are those of the picture
     std::unique_ptr<RoomLight> room_light_; // null: none
     LedWallPass led_walls_;
     LensPass lens_;
     GlarePass glare_;
-    gpu::Commands commands_;
-    gpu::Buffer air_, lights_, addends_, masks_, lists_, groups_, work_, work_read_, exposure_, pixels_,
-        nothing_;
-    gpu::Texture gobos_, slides_, frame_, kept_, drawn_, haze_sources_, picture_, no_pages_;
+    gpu::Buffer air_, work_read_, exposure_, pixels_, nothing_;
+    gpu::Texture gobos_, slides_, frame_, kept_, picture_, no_pages_;
     gpu::Buffer slides_upload_;
     std::vector<shared::SlidePicture> shown_; // what is in slides_, or on its way there
     std::vector<std::size_t> new_slides_;     // those on their way

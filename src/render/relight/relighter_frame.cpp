@@ -18,6 +18,7 @@
 namespace ghost::render {
 
 void Relighter::step_on_processor(const char* span, const std::function<void()>& step) {
+    run_workers();
     run_commands(*drawing_);
     const auto start = std::chrono::steady_clock::now();
     step();
@@ -26,21 +27,23 @@ void Relighter::step_on_processor(const char* span, const std::function<void()>&
     commands_.begin();
 }
 
-void Relighter::fold_on_processor() {
+void Relighter::fold_on_processor(const LightPainter& painter, std::vector<DrawnLights> drawn) {
+    if (!settings_.air)
+        for (DrawnLights& lights : drawn) lights.haze = {};
     const Fragments& f = fragments();
     const FragmentPlanes planes{.width = static_cast<int>(f.width),
                                 .height = static_cast<int>(f.height),
-                                .surfaces = plane_of(drawn_, 0),
-                                .haze = settings_.air ? plane_of(drawn_, 1) : Plane{},
+                                .drawn = drawn,
                                 .places = plane_of(f.places),
                                 .edges = plane_of(f.edges),
-                                .sources = plane_of(haze_sources_),
+                                .sources = plane_of(painter.haze_sources),
                                 .edge_count = f.edge_count,
                                 .corners = settings_.beams.beams != Beams::gate};
     step_on_processor("fold", [&] { fold_fragments(planes); });
 }
 
-void Relighter::add_on_processor(const ImageSum& sum) {
+void Relighter::add_on_processor(const ImageSum& sum, const std::vector<DrawnLights>& drawn,
+                                 const std::vector<PixelRect>& parts) {
     ImageAddition images;
     for (const Addend& addend : sum.addends) {
         const glm::vec3 weight = weight_of(addend);
@@ -48,14 +51,13 @@ void Relighter::add_on_processor(const ImageSum& sum) {
         images.kept.push_back({kept_.mapped(static_cast<std::uint32_t>(addend.slot)), weight});
     }
     images.kept_row_bytes = kept_.row_bytes();
-    if (!sum.lights.empty()) {
-        images.surfaces = plane_of(drawn_, 0);
-        images.haze = plane_of(drawn_, 1);
-        images.corners = settings_.beams.beams != Beams::gate;
-    }
+    images.corners = settings_.beams.beams != Beams::gate;
     const Fragments& f = fragments();
-    for (Plane* plane : {&images.surfaces, &images.haze}) // extra fragments lie below the picture
-        if (*plane) plane->height = static_cast<int>(f.height);
+    images.drawn = drawn;
+    for (DrawnLights& lights : images.drawn)
+        for (Plane* plane : {&lights.surfaces, &lights.haze}) // extra fragments lie below the picture
+            plane->height = static_cast<int>(f.height);
+    for (const PixelRect& part : parts) images.parts.push_back({part.x0, part.y0, part.x1, part.y1});
     const Plane base = sum.base && !settings_.illuminance ? plane_of(f.base) : Plane{};
     const bool to_frame = sum.target < 0;
     const Plane kept = to_frame ? Plane{} : plane_of(kept_, static_cast<std::uint32_t>(sum.target));
@@ -97,12 +99,13 @@ void Relighter::develop_on_processor() {
 }
 
 void Relighter::finish_frame(const scene::FrameLights& lit) {
+    run_workers();
     if (on_processor_ && coarse_)
         spread_on_processor();
     else if (coarse_)
         coarse_->spread(commands_, frame_);
     add_to_frame(lit);
-    commands_.copy(work_, work_read_, sizeof(shared::FrameWork));
+    commands_.copy(main_.work, work_read_, sizeof(shared::FrameWork));
     if (on_processor_)
         develop_on_processor();
     else

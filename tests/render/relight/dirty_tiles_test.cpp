@@ -5,6 +5,7 @@
 
 #include "render/relight/relighter.h"
 #include "support/g_buffer_picture.h"
+#include "support/worker_device.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 #include <random>
@@ -75,15 +76,15 @@ Deviation deviation_of(const image::ImageF& a, const image::ImageF& b) {
 
 class Scene {
 public:
-    explicit Scene(int moving, const Settings& how = settings())
-        : how_(how), model_(device(), stage_with(moving), report_), buffer_(device(), 192, 96) {
+    explicit Scene(int moving, const Settings& how = settings(), const gpu::Device& on = device())
+        : on_(on), how_(how), model_(on, stage_with(moving), report_), buffer_(on, 192, 96) {
         for (int k = 0; k < moving; ++k) model_.mark_moving(kFirstCross + static_cast<std::size_t>(k));
         buffer_.draw(model_, pose_of(camera_at({0, -10, 3}, {0, 10, 2.5f}, 40, 192, 96)),
                      {how_.ambient, how_.haze});
-        relighter_ = fresh();
+        relighter_ = fresh(how_);
     }
-    std::unique_ptr<Relighter> fresh() const {
-        return std::make_unique<Relighter>(device(), buffer_, nullptr, test_gobos(), kLights, how_);
+    std::unique_ptr<Relighter> fresh(const Settings& how) const {
+        return std::make_unique<Relighter>(on_, buffer_, nullptr, test_gobos(), kLights, how);
     }
     bool move(int index, const glm::vec3& place_m, float turn_rad) {
         model_.move(kFirstCross + static_cast<std::size_t>(index),
@@ -95,7 +96,9 @@ public:
     FrameStatistics draw(const std::vector<shared::Light>& lights) { return relighter_->draw(lights); }
     // Sums of half floats in another order: 0.05 % each.
     void expect_as_drawn_anew(const std::vector<shared::Light>& lights) const {
-        const auto anew = fresh();
+        Settings alone = how_;
+        alone.workers = false;
+        const auto anew = fresh(alone);
         anew->draw(lights);
         const Deviation found = deviation_of(relighter_->frame(), anew->frame());
         EXPECT_LT(found.most, 0.004);
@@ -103,6 +106,7 @@ public:
     }
 
 private:
+    const gpu::Device& on_;
     Settings how_;
     Report report_;
     StageModel model_;
@@ -165,27 +169,47 @@ TEST_F(MenderTest, AMoveAloneMakesAnotherFrame) {
     scene.expect_as_drawn_anew(lights);
 }
 
-TEST_F(MenderTest, AnythingMayChangeInAnyOrder) {
+// What changes, moves and goes dark is drawn at random, and is at the end as if drawn at once.
+void expect_any_order_does(const Settings& how, const gpu::Device& on) {
+    Scene scene(4, how, on);
+    std::mt19937 random(3);
+    const auto unit = [&] { return static_cast<float>(random() >> 8) / 16777216.0f; };
+    std::vector<shared::Light> lights = lights_at(0);
+    for (int step = 0; step < 14; ++step) {
+        SCOPED_TRACE(step);
+        for (int k = 0; k < kLights; ++k)
+            if (unit() < 0.3f)
+                lights[static_cast<std::size_t>(k)] = lights_at(unit())[static_cast<std::size_t>(k)];
+        if (unit() < 0.3f) lights[0].intensity_cd = glm::vec3(0.0f);
+        for (int k = 0; k < 4; ++k)
+            if (unit() < 0.5f) scene.move(k, {8 * unit() - 4, 8 * unit() - 4, 5 * unit()}, 6 * unit());
+        if (unit() < 0.7f) scene.draw(lights);
+    }
+    scene.draw(lights);
+    scene.expect_as_drawn_anew(lights);
+}
+
+Settings with_few_images() {
     Settings few = settings();
     few.image_memory_bytes = std::uint64_t{192} * 96 * 8 * 4; // four images
-    for (const Settings& how : {settings(), few}) {
-        Scene scene(4, how);
-        std::mt19937 random(3);
-        const auto unit = [&] { return static_cast<float>(random() >> 8) / 16777216.0f; };
-        std::vector<shared::Light> lights = lights_at(0);
-        for (int step = 0; step < 14; ++step) {
-            SCOPED_TRACE(step);
-            for (int k = 0; k < kLights; ++k)
-                if (unit() < 0.3f)
-                    lights[static_cast<std::size_t>(k)] = lights_at(unit())[static_cast<std::size_t>(k)];
-            if (unit() < 0.3f) lights[0].intensity_cd = glm::vec3(0.0f);
-            for (int k = 0; k < 4; ++k)
-                if (unit() < 0.5f) scene.move(k, {8 * unit() - 4, 8 * unit() - 4, 5 * unit()}, 6 * unit());
-            if (unit() < 0.7f) scene.draw(lights);
-        }
-        scene.draw(lights);
-        scene.expect_as_drawn_anew(lights);
+    return few;
+}
+
+TEST_F(MenderTest, AnythingMayChangeInAnyOrder) {
+    for (const Settings& how : {settings(), with_few_images()}) expect_any_order_does(how, device());
+}
+
+TEST_F(MenderTest, AnythingMayChangeWhereWorkersDraw) {
+    const gpu::Device* on = kWorkerDevice->get();
+    if (!on) GTEST_SKIP() << "no workers: this machine has one core, or many";
+    Settings coarse = settings();
+    coarse.coarse = true;
+    for (Settings how : {settings(), with_few_images(), coarse}) {
+        how.workers = true;
+        expect_any_order_does(how, *on);
     }
+    for (const auto& worker : on->workers()) EXPECT_GT(worker->work().dispatches, 100u) << "they drew";
+    EXPECT_EQ(on->validation_errors(), 0u);
 }
 
 TEST_F(MenderTest, OnlyLightsThatMayBeSeenThereCount) {

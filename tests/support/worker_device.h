@@ -1,0 +1,32 @@
+#pragma once
+// SPDX-License-Identifier: Apache-2.0
+// A device with workers (gpu/workers.h), made when it is first asked for; ends with the tests. Null where
+// there can be none: one core, or more than pay.
+#include "gpu/device.h"
+#include "gpu/workers.h"
+#include "support/must.h"
+
+#include <gtest/gtest.h>
+
+#include <memory>
+
+namespace ghost {
+
+class WorkerDevice : public testing::Environment {
+public:
+    const gpu::Device* get() {
+        if (!device_) {
+            gpu::prepare_workers();
+            device_ = must(gpu::Device::create({.validation = true, .workers = true}));
+        }
+        return device_->workers().empty() ? nullptr : device_.get();
+    }
+    void TearDown() override { device_.reset(); }
+
+private:
+    std::unique_ptr<gpu::Device> device_;
+};
+inline auto* const kWorkerDevice =
+    static_cast<WorkerDevice*>(testing::AddGlobalTestEnvironment(new WorkerDevice));
+
+} // namespace ghost
