@@ -37,6 +37,11 @@ std::uint32_t batch_size(const gpu::Device& device, const Settings& settings) {
     return device.is_cpu() ? 1 : shared::kLightsPerChunk;
 }
 
+// Where workers draw what moves, half of the tables are theirs.
+std::uint32_t most_fans(const gpu::Device& device, const Settings& settings) {
+    return settings.workers && !device.workers().empty() ? kKeptFans / 2 : kKeptFans;
+}
+
 bool same_faces(const std::vector<scene::LensFace>& a, const std::vector<scene::LensFace>& b) {
     return std::equal(a.begin(), a.end(), b.begin(), b.end(),
                       [](const scene::LensFace& one, const scene::LensFace& other) {
@@ -96,8 +101,8 @@ Relighter::Relighter(const gpu::Device& device, PassImages passes, const GBuffer
       light_count_(light_count), passes_(std::move(passes)), g_buffer_(g_buffer), distances_(distances),
       coarse_(settings.coarse ? std::make_unique<CoarseLight>(device, *g_buffer) : nullptr), slot_count_(0),
       tree_(light_count, slot_count_), units_(passes_.bounces.bytes() > 0), commands_(device),
-      main_(device, painter_shape(kKeptFans), &commands_), meter_(device, shaders::kShader_meter),
-      led_walls_(device), lens_(device, settings.lens),
+      main_(device, painter_shape(most_fans(device, settings)), &commands_),
+      meter_(device, shaders::kShader_meter), led_walls_(device), lens_(device, settings.lens),
       glare_(device, seen().width, seen().height, settings.glare) {
     CHECK(!settings.coarse || (settings.beams.beams == Beams::gate && !settings.illuminance));
     for (std::uint32_t tone = 0; tone < develop_.size(); ++tone)
