@@ -169,6 +169,7 @@ private:
     bool uses_workers() const { return !painters_.empty() && !stop_; }
     std::vector<Share> shares_of(const std::vector<int>& lights, const std::vector<int>& resting);
     double work_of(int light) const;
+    LightPainter& painter_for(const std::vector<int>& lights);
     // What follows is recorded there, after all that was recorded elsewhere.
     void record_on(LightPainter& painter);
     void run_workers();
@@ -243,7 +244,8 @@ private:
     gpu::Commands commands_;
     LightPainter main_; // on the device, with commands_
     std::vector<std::unique_ptr<LightPainter>> painters_;
-    std::vector<std::size_t> painter_of_; // lights: which drew it last; beyond all: none
+    std::vector<std::size_t> painter_of_;                   // lights: which drew it last; beyond all: none
+    std::map<std::uint32_t, std::size_t> painter_of_place_; // Light::map: of those that record now
     std::size_t next_painter_ = 0;
     gpu::LateProgram meter_;
     std::array<gpu::LateProgram, shared::kToneCount> develop_;

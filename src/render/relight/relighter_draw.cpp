@@ -86,7 +86,6 @@ std::vector<Relighter::Share> Relighter::shares_of(const std::vector<int>& light
                      [](const Part& a, const Part& b) { return a.work > b.work; });
     std::vector<Share> shares;
     for (const auto& painter : painters_) shares.push_back({painter.get(), {}, {}, 0});
-    std::map<std::uint32_t, std::size_t> painter_of_place;
     for (const Part& part : parts) {
         std::size_t least = 0;
         for (std::size_t k = 1; k < shares.size(); ++k)
@@ -95,7 +94,7 @@ std::vector<Relighter::Share> Relighter::shares_of(const std::vector<int>& light
         std::size_t& known = painter_of_[light];
         if (known >= shares.size() || shares[known].work > shares[least].work) known = least;
         if (const std::uint32_t place = units_.lights()[light].map; place > 0)
-            known = painter_of_place.emplace(place, known).first->second;
+            known = painter_of_place_.emplace(place, known).first->second;
         (part.rests ? shares[known].resting : shares[known].lights).push_back(part.light);
         shares[known].work += part.work;
     }
