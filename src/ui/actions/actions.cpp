@@ -3,7 +3,6 @@
 
 #include "base/suggest.h"
 
-#include <QApplication>
 #include <QFileDialog>
 
 #include <cmath>
@@ -21,13 +20,7 @@ void Actions::add(Action action) {
     item->setCheckable(static_cast<bool>(action.is_on));
     items_[action.name] = item;
     window_.addAction(item);
-    QObject::connect(item, &QAction::triggered, &window_, [this, name = action.name] {
-        // A key that closes a list is not also one of ours; Qt has changed the mark of the item already.
-        if (QApplication::activePopupWidget())
-            refresh();
-        else
-            choose(name);
-    });
+    QObject::connect(item, &QAction::triggered, &window_, [this, name = action.name] { choose(name); });
     actions_.push_back(std::move(action));
 }
 

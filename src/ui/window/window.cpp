@@ -32,6 +32,7 @@
 #include "ui/picture/view_bar.h"
 #include "ui/widgets/focus_guide.h"
 #include "ui/widgets/panel_area.h"
+#include "ui/widgets/popup_keys.h"
 #include "ui/widgets/wheel_guard.h"
 #include "ui/window/private/meter_actions.h"
 #include "ui/window/private/notice_bar.h"
@@ -75,6 +76,7 @@ Window::Window(Link& link, const WindowOptions& options)
     setWindowTitle("Ghostlight");
     setAcceptDrops(true);
     qApp->installEventFilter(new WheelGuard(this));
+    qApp->installEventFilter(new PopupKeys(this));
     setDockNestingEnabled(true);
     setCentralWidget(view_);
     for (QLabel* const one : {status_input_, status_supply_, status_jobs_, status_device_})
