@@ -410,6 +410,34 @@ class Editing(unittest.TestCase):
         finally:
             self.assertEqual(window.close(), 0)
 
+    def test_a_kept_camera_shows_what_was_seen(self):
+        window = self.open()
+        try:
+            window.do("camera house", "wait settled")
+            seen = window.state()
+            before = window.picture("seen")
+            window.xdo("key", "ctrl+k")
+            window.until(lambda s: s["unsaved"])
+            window.do("camera close", "wait settled")
+            window.xdo("key", "4")
+            window.until(lambda s: s["camera"]["name"] == "Camera 4")
+            after = window.picture("kept")
+            state = window.state()
+            for key in ("frame", "view"):
+                self.assertEqual(state[key], seen[key])
+            self.assertLess(changed(before, after), 0.5)
+            window.do("save")
+        finally:
+            self.assertEqual(window.close(), 0)
+        self.assertIn('name = "Camera 4"', self.file.read_text())
+        self.assertEqual(self.file.read_text().count("size = [1024, 300]"), 2)
+        window = self.open()
+        try:
+            window.do("camera 4", "wait settled")
+            self.assertEqual(window.state()["frame"], seen["frame"])
+        finally:
+            self.assertEqual(window.close(), 0)
+
     def test_lamps_are_hung_under_a_truss(self):
         window = self.open()
         try:

@@ -301,11 +301,7 @@ Result<void> PatchEdit::keep_camera(const QString& name) {
     const std::vector<scene::Camera>& cameras = app_.show()->cameras;
     std::set<std::string> taken;
     for (const scene::Camera& camera : cameras) taken.insert(camera.name);
-    scene::Camera camera = app_.camera();
-    if (app_.request().frame != glm::ivec2(0)) { // what its frame holds
-        camera.width = app_.request().frame.x;
-        camera.height = app_.request().frame.y;
-    }
+    scene::Camera camera = app_.seen_camera();
     camera.name =
         name.isEmpty() ? next_name("Camera " + std::to_string(cameras.size()), taken) : name.toStdString();
     if (camera.name.find_first_of("/\\:*?\"<>|") != std::string::npos || camera.name.front() == '.')
