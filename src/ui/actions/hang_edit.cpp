@@ -22,7 +22,7 @@ glm::vec3 in_millimetres(const glm::vec3& place_m) {
     return glm::round(place_m * 1000.0f) / 1000.0f;
 }
 
-Result<std::vector<glm::vec3>> places_of_selection(const AppModel& app, const ShowDocument& document) {
+Result<std::vector<glm::vec3>> places_of_selection(const AppModel& app, ShowDocument& document) {
     TRY_VOID(document.check_editable());
     std::vector<glm::vec3> places;
     for (const std::size_t index : app.selection()) places.push_back(app.show()->fixtures[index].position_m);

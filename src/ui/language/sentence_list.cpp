@@ -909,8 +909,8 @@ constexpr const char* kSentences[] = {
     QT_TRANSLATE_NOOP("Sentence", "there is no look '%1'"),
     QT_TRANSLATE_NOOP("Sentence", "there is no palette '%1', did you mean '%2'?"),
     QT_TRANSLATE_NOOP("Sentence", "there is no palette '%1'"),
-    QT_TRANSLATE_NOOP("Sentence", "a plot that is opened as it is cannot be edited; 'ghostlight import' "
-                                  "makes a show of it, whose changes outlive the designer's next version"),
+    QT_TRANSLATE_NOOP("Sentence", "a plot that is opened as it is cannot be edited; make a show of it "
+                                  "first (in a script: import-plot)"),
     QT_TRANSLATE_NOOP(
         "Sentence",
         "is open in another window: %1; close it there, or take it over (in a script: take-over)"),

@@ -554,7 +554,7 @@ void Window::take_file(const QString& file) {
     const QString ending = QFileInfo(file).suffix().toLower();
     const bool is_fixture = ending == "gdtf" || ending == "qxf" || (ending == "json" && app_.show());
     const bool is_model_file = is_model(file.toStdString());
-    const bool is_plot = ending == "mvr" && document_.check_editable().ok() && app_.show()->plot_file.empty();
+    const bool is_plot = ending == "mvr" && document_.can_edit() && app_.show()->plot_file.empty();
     const bool has_stage =
         app_.show() && (!app_.show()->stage_file.empty() || !app_.show()->plot_file.empty());
     const QString action = is_fixture                   ? "add-fixture"
