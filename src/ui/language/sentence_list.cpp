@@ -720,6 +720,8 @@ constexpr const char* kSentences[] = {
                       "nothing of the selected fixtures is set by hand; Shift+R releases everything"),
     QT_TRANSLATE_NOOP("Sentence", "nothing that is selected turns both ways"),
     QT_TRANSLATE_NOOP("Sentence", "there is no picture yet"),
+    QT_TRANSLATE_NOOP("Sentence", "there is nothing but air to hide"),
+    QT_TRANSLATE_NOOP("Sentence", "this is a fixture; Remove takes it away"),
     QT_TRANSLATE_NOOP("Sentence", "there is nothing but air to aim at"),
     QT_TRANSLATE_NOOP("Sentence", "%1 head does not reach that far, and turned as far as possible"),
     QT_TRANSLATE_NOOP("Sentence", "%1 heads do not reach that far, and turned as far as possible"),

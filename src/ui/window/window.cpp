@@ -120,6 +120,9 @@ Window::Window(Link& link, const WindowOptions& options)
             actions_.complain(done.error());
     };
     add_object_actions(actions_, app_, document_);
+    auto* hiding = new Hiding(app_, actions_, this);
+    hiding->on_done = [this](const QString& what) { toast_->say(what, [this] { actions_.choose("undo"); }); };
+    add_hide_action(actions_, *hiding);
     add_air_actions(actions_, app_, document_);
     add_bounce_actions(actions_, app_, document_);
     add_document_actions(actions_, document_);
