@@ -73,7 +73,7 @@ class FirstMinutes(unittest.TestCase):
             self.assertIn("3 heads have no optics in their files", state["notice"])
             window.shoot("plot.png")
             window.do(f'substitute Nobody@Stub.gdtf "{WORK / "fixtures" / SPOT}"', "wait settled")
-            self.assertIn("Substitute", window.state()["toast"])
+            self.assertEqual(window.state()["toast"], "'Nobody@Stub.gdtf' substituted")
             window.do("save")
             self.assertIn(f'for = "Nobody@Stub.gdtf"\ngdtf = "{SPOT}"', (WORK / "tour/show.toml").read_text())
             window.do("undo", "wait settled", "redo", "wait settled")

@@ -90,13 +90,14 @@ Result<bool> turns(const Action& action, const QStringList& arguments) {
 Result<void> Actions::run(const Action& action, const QStringList& arguments) {
     const Result<bool> turned = turns(action, arguments);
     const bool lacks_file = arguments.isEmpty() && !action.asks.title.isEmpty();
+    const std::size_t before = count_steps ? count_steps() : 0;
     const Result<void> done = lacks_file     ? Result<void>(Error{"it needs the name of a file", ""})
                               : !turned.ok() ? Result<void>(turned.error())
                               : *turned      ? action.run(arguments)
                                              : Result<void>();
     refresh();
     if (done.ok()) {
-        if (on_done) on_done(action);
+        if (on_done) on_done(action, count_steps && count_steps() != before);
         return {};
     }
     return Error{done.error().text(), action.name.toStdString()};

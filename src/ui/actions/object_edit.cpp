@@ -62,7 +62,7 @@ Result<void> move_object(AppModel& app, ShowDocument& document, std::size_t obje
                      ""};
     const glm::vec3 move_m = glm::round((moved_m(*app.show(), name) + by_m) * 1000.0f) / 1000.0f;
     TRY(std::string text, scene::set_object_move(document.text(), name, move_m));
-    return document.edit(translated("Undo", "Move '%1'").arg(QString::fromStdString(name)),
+    return document.edit(translated("Undo", "'%1' moved").arg(QString::fromStdString(name)),
                          {std::move(text), app.look(), app.selection()});
 }
 

@@ -143,7 +143,9 @@ Window::Window(Link& link, const WindowOptions& options)
     context_menus->serve(cue_table_->table(), [this](QMenu& menu) { cue_table_->fill_menu(menu); });
     PaletteBox& palettes = programmer_->palettes();
     context_menus->serve(palettes.list(), [&palettes](QMenu& menu) { palettes.fill_menu(menu); });
-    actions_.on_done = [this](const Action& action) { say_done(action); };
+    connect(&app_.undo_stack(), &QUndoStack::indexChanged, this, [this] { ++steps_; });
+    actions_.count_steps = [this] { return steps_; };
+    actions_.on_done = [this](const Action& action, bool made_step) { say_done(action, made_step); };
     connect(&app_, &AppModel::look_changed, this, &Window::say_hand_taken);
     transport_ = new QToolBar(translated("Panel", "Transport"), this);
     transport_->setObjectName("transport");
@@ -405,7 +407,7 @@ void Window::begin_where_there_is_light() {
 }
 
 // What else would show nothing.
-void Window::say_done(const Action& action) {
+void Window::say_done(const Action& action, bool made_step) {
     static const std::set<QString> kSays{
         "keep-camera",   "hang",           "duplicate", "remove",        "unpatch",         "distribute",
         "add-fixture",   "add-model",      "set-stage", "substitute",    "substitute-same", "move-object",
@@ -413,7 +415,7 @@ void Window::say_done(const Action& action) {
     if (action.name == "save")
         toast_->say(translated("Notice", "Saved: %1")
                         .arg(QString::fromStdString(app_.show()->file.filename().string())));
-    else if (kSays.contains(action.name) && !app_.undo_stack().undoText().isEmpty())
+    else if (made_step && kSays.contains(action.name))
         toast_->say(app_.undo_stack().undoText(), [this] { actions_.choose("undo"); });
 }
 

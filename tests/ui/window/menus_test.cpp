@@ -444,6 +444,34 @@ TEST(Toast, what_shows_nothing_else_is_said_with_a_way_back) {
     EXPECT_EQ(in.toast(), "") << "two seconds";
 }
 
+TEST(Toast, it_says_what_was_done_and_to_what) {
+    WithShow in;
+    EXPECT_EQ(in.error_of("keep-camera Balcony"), "");
+    EXPECT_EQ(in.toast(), "Camera 'Balcony' kept");
+    EXPECT_EQ(in.error_of("add-fixture \"" GHOST_SOURCE_DIR "/assets/fixtures/Ghostlight@LED_Par.gdtf\""),
+              "");
+    const QString name = QString::fromStdString(in.window.app().show()->fixtures.back().name);
+    EXPECT_EQ(in.toast(), QString("'%1' added").arg(name));
+    EXPECT_EQ(in.error_of("cue-add Opener"), "");
+    EXPECT_EQ(in.toast(), "Cue 'Opener' added");
+    EXPECT_EQ(in.error_of("select \"Lamp 1\""), "");
+    EXPECT_EQ(in.error_of("unpatch"), "");
+    EXPECT_EQ(in.toast(), "1 fixture unpatched");
+    EXPECT_EQ(in.error_of("duplicate"), "");
+    EXPECT_EQ(in.toast(), "1 fixture duplicated");
+    EXPECT_EQ(in.error_of("remove"), "");
+    EXPECT_EQ(in.toast(), "1 fixture removed");
+}
+
+// It opens a panel, and the step before it is not its own.
+TEST(Toast, what_made_no_step_does_not_say_that_of_another) {
+    WithShow in;
+    wait_ms(2300);
+    EXPECT_EQ(in.toast(), "");
+    EXPECT_EQ(in.error_of("substitute"), "");
+    EXPECT_EQ(in.toast(), "");
+}
+
 // A choice for the show before says nothing of this one.
 TEST(InputChoice, another_show_begins_with_the_automatic_one) {
     InWindow in;
