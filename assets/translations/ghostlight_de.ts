@@ -415,6 +415,18 @@
         <source>Movers: their ways, end stops and where they go</source>
         <translation>Bewegte Teile: Wege, Endanschläge und wohin sie fahren</translation>
     </message>
+    <message>
+        <source>Aim here</source>
+        <translation>Hierhin ausrichten</translation>
+    </message>
+    <message>
+        <source>Explain why it shines or not</source>
+        <translation>Erklären, warum es leuchtet oder nicht</translation>
+    </message>
+    <message>
+        <source>Hide what is here</source>
+        <translation>Ausblenden, was hier ist</translation>
+    </message>
 </context>
 <context>
     <name>Air</name>
@@ -1586,6 +1598,30 @@
         <source>In the picture</source>
         <translation>Im Bild</translation>
     </message>
+    <message>
+        <source>Shift+click</source>
+        <translation>Umschalt+Klick</translation>
+    </message>
+    <message>
+        <source>the selected heads point at what is there</source>
+        <translation>die ausgewählten Köpfe zeigen dorthin</translation>
+    </message>
+    <message>
+        <source>drag of a selected lamp</source>
+        <translation>eine ausgewählte Lampe ziehen</translation>
+    </message>
+    <message>
+        <source>the selected fixtures move along their truss; Shift: up and down</source>
+        <translation>die ausgewählten Geräte wandern an ihrer Traverse entlang; Umschalt: auf und ab</translation>
+    </message>
+    <message>
+        <source>right click</source>
+        <translation>Rechtsklick</translation>
+    </message>
+    <message>
+        <source>what can be done there</source>
+        <translation>was sich dort tun lässt</translation>
+    </message>
 </context>
 <context>
     <name>Looks</name>
@@ -2154,6 +2190,14 @@
     <message>
         <source>From the next start on: %1</source>
         <translation>Ab dem nächsten Start: %1</translation>
+    </message>
+    <message>
+        <source>A plot that is opened as it is cannot be edited. A show that is made of it can, and its changes outlive the designer&apos;s next version.</source>
+        <translation>Ein direkt geöffneter Plan lässt sich nicht bearbeiten. Eine Show, die daraus gemacht wird, schon, und ihre Änderungen überdauern die nächste Fassung des Plans.</translation>
+    </message>
+    <message>
+        <source>Make a show of it</source>
+        <translation>Eine Show daraus machen</translation>
     </message>
 </context>
 <context>
@@ -5321,10 +5365,6 @@ Bitte den Namen des Ordners prüfen.</translation>
         <translation>es gibt keine Palette &apos;%1&apos;</translation>
     </message>
     <message>
-        <source>a plot that is opened as it is cannot be edited; &apos;ghostlight import&apos; makes a show of it, whose changes outlive the designer&apos;s next version</source>
-        <translation>ein direkt geöffneter Plan lässt sich nicht bearbeiten; &apos;ghostlight import&apos; macht eine Show daraus, deren Änderungen die nächste Fassung des Plans überdauern</translation>
-    </message>
-    <message>
         <source>is open in another window: %1; close it there, or take it over (in a script: take-over)</source>
         <translation>ist in einem anderen Fenster offen: %1; dort schließen oder übernehmen (im Skript: take-over)</translation>
     </message>
@@ -6628,6 +6668,18 @@ Bitte den Namen des Ordners prüfen.</translation>
         <source>has &apos;%1&apos;, which somebody changed: it is not replaced before that is elsewhere</source>
         <translation>hat &apos;%1&apos;, was jemand geändert hat: es wird nicht ersetzt, bevor das woanders ist</translation>
     </message>
+    <message>
+        <source>a plot that is opened as it is cannot be edited; make a show of it first (in a script: import-plot)</source>
+        <translation>ein direkt geöffneter Plan lässt sich nicht bearbeiten; erst eine Show daraus machen (in einem Skript: import-plot)</translation>
+    </message>
+    <message>
+        <source>there is nothing but air to hide</source>
+        <translation>dort ist nichts als Luft, die sich nicht ausblenden lässt</translation>
+    </message>
+    <message>
+        <source>this is a fixture; Remove takes it away</source>
+        <translation>das ist ein Gerät; Entfernen nimmt es weg</translation>
+    </message>
 </context>
 <context>
     <name>Transport</name>
@@ -6711,10 +6763,6 @@ Bitte den Namen des Ordners prüfen.</translation>
         <translation>Indirektes Licht</translation>
     </message>
     <message>
-        <source>Add cue &apos;%1&apos;</source>
-        <translation>Cue &apos;%1&apos; hinzufügen</translation>
-    </message>
-    <message>
         <source>Cue</source>
         <translation>Cue</translation>
     </message>
@@ -6735,10 +6783,6 @@ Bitte den Namen des Ordners prüfen.</translation>
         <translation>angleichen: %1</translation>
     </message>
     <message>
-        <source>Hang under &apos;%1&apos;</source>
-        <translation>Unter &apos;%1&apos; hängen</translation>
-    </message>
-    <message>
         <source>solo</source>
         <translation>Solo</translation>
     </message>
@@ -6747,24 +6791,12 @@ Bitte den Namen des Ordners prüfen.</translation>
         <translation>Ende von Solo</translation>
     </message>
     <message>
-        <source>Move &apos;%1&apos;</source>
-        <translation>&apos;%1&apos; bewegen</translation>
-    </message>
-    <message>
-        <source>Store palette &apos;%1&apos;</source>
-        <translation>Palette &apos;%1&apos; speichern</translation>
-    </message>
-    <message>
         <source>palette %1</source>
         <translation>Palette %1</translation>
     </message>
     <message>
         <source>Rename palette</source>
         <translation>Palette umbenennen</translation>
-    </message>
-    <message>
-        <source>Remove palette &apos;%1&apos;</source>
-        <translation>Palette &apos;%1&apos; entfernen</translation>
     </message>
     <message>
         <source>Address</source>
@@ -6789,38 +6821,6 @@ Bitte den Namen des Ordners prüfen.</translation>
     <message>
         <source>Turn</source>
         <translation>Drehen</translation>
-    </message>
-    <message>
-        <source>Distribute</source>
-        <translation>Verteilen</translation>
-    </message>
-    <message>
-        <source>Duplicate</source>
-        <translation>Duplizieren</translation>
-    </message>
-    <message>
-        <source>Remove</source>
-        <translation>Entfernen</translation>
-    </message>
-    <message>
-        <source>Keep camera &apos;%1&apos;</source>
-        <translation>Kamera &apos;%1&apos; behalten</translation>
-    </message>
-    <message>
-        <source>Stage</source>
-        <translation>Bühne</translation>
-    </message>
-    <message>
-        <source>Add a model</source>
-        <translation>Modell hinzufügen</translation>
-    </message>
-    <message>
-        <source>Plot</source>
-        <translation>Plan</translation>
-    </message>
-    <message>
-        <source>Add</source>
-        <translation>Hinzufügen</translation>
     </message>
     <message>
         <source>release everything</source>
@@ -6929,25 +6929,6 @@ Bitte den Namen des Ordners prüfen.</translation>
         </translation>
     </message>
     <message>
-        <source>Substitute &apos;%1&apos;</source>
-        <translation>&apos;%1&apos; ersetzen</translation>
-    </message>
-    <message numerus="yes">
-        <source>Substitute %n fixture file(s)</source>
-        <translation>
-            <numerusform>%n Gerätedatei ersetzen</numerusform>
-            <numerusform>%n Gerätedateien ersetzen</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Address of &apos;%1&apos;</source>
-        <translation>Adresse von &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>Fly &apos;%1&apos; on hoists</source>
-        <translation>&apos;%1&apos; an Züge hängen</translation>
-    </message>
-    <message>
         <source> of %1 by RDM</source>
         <translation> von %1 per RDM</translation>
     </message>
@@ -6966,6 +6947,97 @@ Bitte den Namen des Ordners prüfen.</translation>
     <message>
         <source>release</source>
         <translation>freigeben</translation>
+    </message>
+    <message>
+        <source>Cue &apos;%1&apos; added</source>
+        <translation>Cue &apos;%1&apos; hinzugefügt</translation>
+    </message>
+    <message>
+        <source>Address of &apos;%1&apos; set</source>
+        <translation>Adresse von &apos;%1&apos; gesetzt</translation>
+    </message>
+    <message>
+        <source>Hung under &apos;%1&apos;</source>
+        <translation>Unter &apos;%1&apos; gehängt</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; flies on hoists</source>
+        <translation>&apos;%1&apos; hängt an Zügen</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; moved</source>
+        <translation>&apos;%1&apos; bewegt</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; hidden</source>
+        <translation>&apos;%1&apos; ausgeblendet</translation>
+    </message>
+    <message>
+        <source>Palette &apos;%1&apos; stored</source>
+        <translation>Palette &apos;%1&apos; gespeichert</translation>
+    </message>
+    <message>
+        <source>Palette &apos;%1&apos; removed</source>
+        <translation>Palette &apos;%1&apos; entfernt</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n fixture(s) unpatched</source>
+        <translation>
+            <numerusform>%n Gerät ohne Adresse</numerusform>
+            <numerusform>%n Geräte ohne Adresse</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n fixture(s) spread evenly</source>
+        <translation>
+            <numerusform>%n Gerät gleichmäßig verteilt</numerusform>
+            <numerusform>%n Geräte gleichmäßig verteilt</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n fixture(s) duplicated</source>
+        <translation>
+            <numerusform>%n Gerät dupliziert</numerusform>
+            <numerusform>%n Geräte dupliziert</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n fixture(s) removed</source>
+        <translation>
+            <numerusform>%n Gerät entfernt</numerusform>
+            <numerusform>%n Geräte entfernt</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Camera &apos;%1&apos; kept</source>
+        <translation>Kamera &apos;%1&apos; behalten</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is the stage</source>
+        <translation>&apos;%1&apos; ist die Bühne</translation>
+    </message>
+    <message>
+        <source>Model &apos;%1&apos; added</source>
+        <translation>Modell &apos;%1&apos; hinzugefügt</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is the plot</source>
+        <translation>&apos;%1&apos; ist der Plan</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; added</source>
+        <translation>&apos;%1&apos; hinzugefügt</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; substituted</source>
+        <translation>&apos;%1&apos; ersetzt</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n fixture file(s) substituted</source>
+        <translation>
+            <numerusform>%n Gerätedatei ersetzt</numerusform>
+            <numerusform>%n Gerätedateien ersetzt</numerusform>
+        </translation>
     </message>
 </context>
 <context>

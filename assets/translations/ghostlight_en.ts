@@ -174,10 +174,38 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>Substitute %n fixture file(s)</source>
+        <source>%n fixture(s) unpatched</source>
         <translation>
-            <numerusform>Substitute %n fixture file</numerusform>
-            <numerusform>Substitute %n fixture files</numerusform>
+            <numerusform>%n fixture unpatched</numerusform>
+            <numerusform>%n fixtures unpatched</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n fixture(s) spread evenly</source>
+        <translation>
+            <numerusform>%n fixture spread evenly</numerusform>
+            <numerusform>%n fixtures spread evenly</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n fixture(s) duplicated</source>
+        <translation>
+            <numerusform>%n fixture duplicated</numerusform>
+            <numerusform>%n fixtures duplicated</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n fixture(s) removed</source>
+        <translation>
+            <numerusform>%n fixture removed</numerusform>
+            <numerusform>%n fixtures removed</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n fixture file(s) substituted</source>
+        <translation>
+            <numerusform>%n fixture file substituted</numerusform>
+            <numerusform>%n fixture files substituted</numerusform>
         </translation>
     </message>
 </context>

@@ -237,7 +237,7 @@ void add_render(CLI::App& app, int& exit_code) {
         ->type_name("X Y Z");
     command->add_option("--target", a->target_m, "what it looks at")->expected(3)->type_name("X Y Z");
     command->add_option("--fov", a->fov_y_deg, "its vertical field of view in degrees")
-        ->check(number_in(1.0, 150.0))
+        ->check(number_in(0.1, 170.0)) // as a camera of show.toml
         ->needs("--eye")
         ->capture_default_str();
     command

@@ -106,7 +106,8 @@ Result<std::string> add_camera(const std::string& text, const Camera& camera) {
     Keys keys{{"name", toml_text(camera.name)},
               {"position_m", toml_text(camera.position_m)},
               {"target_m", toml_text(camera.target_m)},
-              {"fov_y_deg", toml_text(camera.fov_y_deg)}};
+              {"fov_y_deg", toml_text(camera.fov_y_deg)},
+              {"size", "[" + std::to_string(camera.width) + ", " + std::to_string(camera.height) + "]"}};
     if (camera.auto_exposure)
         keys.emplace_back("exposure", toml_text(std::string("auto")));
     else

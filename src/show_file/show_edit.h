@@ -57,8 +57,7 @@ Result<std::string> copy_fixture(const std::string& text, std::size_t number, co
 Result<std::string> add_fixture(const std::string& text, const NewFixture& fixture);
 Result<std::string> remove_fixtures(const std::string& text, const std::vector<std::size_t>& numbers);
 
-// At the end: a [[camera]] with its name, place, field of view and exposure; the size of its picture is the
-// default.
+// At the end: a [[camera]] with its name, place, field of view, size and exposure.
 Result<std::string> add_camera(const std::string& text, const Camera& camera);
 // At the end: a [[model]] of that file, relative to the show, there.
 Result<std::string> add_model(const std::string& text, const std::string& file, const glm::vec3& position_m);

@@ -73,7 +73,7 @@ class FirstMinutes(unittest.TestCase):
             self.assertIn("3 heads have no optics in their files", state["notice"])
             window.shoot("plot.png")
             window.do(f'substitute Nobody@Stub.gdtf "{WORK / "fixtures" / SPOT}"', "wait settled")
-            self.assertIn("Substitute", window.state()["toast"])
+            self.assertEqual(window.state()["toast"], "'Nobody@Stub.gdtf' substituted")
             window.do("save")
             self.assertIn(f'for = "Nobody@Stub.gdtf"\ngdtf = "{SPOT}"', (WORK / "tour/show.toml").read_text())
             window.do("undo", "wait settled", "redo", "wait settled")
@@ -96,6 +96,11 @@ class FirstMinutes(unittest.TestCase):
             self.assertEqual(len(window.state()["selection"]), 3)
             self.assertIn("no fixtures of a file, a kind or a title", window.ask("plot-select nothing"))
             window.shoot("plot-page.png")
+            # A key that edits says that it must be a show first, and offers to make one.
+            x, y, width, _ = window.place()
+            window.xdo("mousemove", x + width // 2, y + 8, "click", 1)  # the picture has the keys now
+            window.xdo("key", "ctrl+k")
+            self.assertIn("A show that is made of it", window.until(lambda state: state["notice"])["notice"])
             # It is an edit of a show, which the plot becomes by itself.
             window.do(f'substitute Nobody@Stub.gdtf "{WORK / "fixtures" / "Ghostlight@LED_Par.gdtf"}" "Dimmer RGB"')
             window.until(lambda state: state["show"].endswith("bare/show.toml") and not state.get("plot_page", page)["lightless"])

@@ -8,6 +8,7 @@ import pathlib
 import shutil
 import subprocess
 import sys
+import time
 import unittest
 
 sys.path.insert(0, str(pathlib.Path(__file__).parent / "lib"))
@@ -90,6 +91,44 @@ class MouseAndKeys(unittest.TestCase):
             window.until(lambda state: state["camera"]["ev100"] > 6.4)
             window.xdo("key", "ctrl+a")
             window.until(lambda state: len(state["selection"]) == 10)
+        finally:
+            code = window.close()
+        self.assertEqual(code, 0, window.text())
+
+
+class Popups(unittest.TestCase):
+    def test_escape_closes_a_list_and_leaves_the_selection(self):
+        def lists(window):
+            """Windows of the program that are seen: an open list is one."""
+            found = subprocess.run(["xdotool", "search", "--onlyvisible", "--pid", str(window.process.pid)],
+                                   env=dict(os.environ, DISPLAY=window_driver.DISPLAY), capture_output=True, text=True, timeout=60)
+            return len(found.stdout.split())
+
+        window = Window("--size", "900x600", "--no-desk", "--quiet")
+        try:
+            window.do("wait opened", "resolution 10", "freeze on")
+            x, y, width, _ = window.place()
+            window.xdo("mousemove", x + width // 2, y + 8, "click", 1)  # the picture has the keys now
+            window.do('select "Spot *"')
+            window.xdo("key", "ctrl+f")  # the search; the list of groups stands behind it
+            window.until(lambda state: "fixtures" in state["panels"])
+            alone = lists(window)
+            window.xdo("key", "Tab")
+            for _ in range(2):
+                window.xdo("key", "F4")  # Alt+arrows and the space bar are ours
+                for _ in range(100):
+                    if lists(window) > alone:
+                        break
+                    time.sleep(0.1)
+                self.assertGreater(lists(window), alone, "the list is open")
+                window.xdo("key", "Escape")
+                window.do("wait 0.5")
+                self.assertEqual(lists(window), alone, "the list is closed")
+                self.assertEqual(len(window.state()["selection"]), 5)
+            self.assertIn("fixtures", window.state()["panels"])
+            window.do("panel-fixtures off")
+            window.xdo("key", "Escape")
+            window.until(lambda state: state["selection"] == [])
         finally:
             code = window.close()
         self.assertEqual(code, 0, window.text())
@@ -368,6 +407,34 @@ class Editing(unittest.TestCase):
             self.assertLess(changed(hung, window.picture("again")), 0.05)
             self.assertIn("no fixture is selected", window.ask("select-none") + window.ask("remove"))
             self.assertIn("is no address like 2.101", window.ask("address 1.900"))
+        finally:
+            self.assertEqual(window.close(), 0)
+
+    def test_a_kept_camera_shows_what_was_seen(self):
+        window = self.open()
+        try:
+            window.do("camera house", "wait settled")
+            seen = window.state()
+            before = window.picture("seen")
+            window.xdo("key", "ctrl+k")
+            window.until(lambda s: s["unsaved"])
+            window.do("camera close", "wait settled")
+            window.xdo("key", "4")
+            window.until(lambda s: s["camera"]["name"] == "Camera 4")
+            after = window.picture("kept")
+            state = window.state()
+            for key in ("frame", "view"):
+                self.assertEqual(state[key], seen[key])
+            self.assertLess(changed(before, after), 0.5)
+            window.do("save")
+        finally:
+            self.assertEqual(window.close(), 0)
+        self.assertIn('name = "Camera 4"', self.file.read_text())
+        self.assertEqual(self.file.read_text().count("size = [1024, 300]"), 2)
+        window = self.open()
+        try:
+            window.do("camera 4", "wait settled")
+            self.assertEqual(window.state()["frame"], seen["frame"])
         finally:
             self.assertEqual(window.close(), 0)
 

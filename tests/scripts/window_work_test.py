@@ -220,6 +220,22 @@ class AtWork(unittest.TestCase):
         finally:
             self.assertEqual(window.close(), 0)
 
+    def test_an_export_of_another_shape_shows_all_of_the_frame(self):
+        window = self.open()
+        try:
+            window.do("camera house", "wait settled", "select *", "intensity 1")
+            # The frame is 1024x300; of 320x180 it is the middle band, of 180x320, too.
+            for name, size in (("frame", "320x94"), ("wide", "320x180"), ("tall", "180x320")):
+                window.do(f'export-still "{WORK / name}.png" {size}')
+            window.do("wait jobs")
+            self.assertEqual([job["state"] for job in window.state()["jobs"]], ["done"] * 3, window.state()["jobs"])
+            frame, wide, tall = (read(WORK / f"{name}.png").astype(float) for name in ("frame", "wide", "tall"))
+            self.assertLess(changed(wide[43:137], frame), 3)
+            small = numpy.asarray(Image.fromarray(frame.astype("uint8")).resize((180, 53))).astype(float)
+            self.assertLess(changed(tall[134:187], small), 6)
+        finally:
+            self.assertEqual(window.close(), 0)
+
     def test_second_display(self):
         window = self.open()
         try:

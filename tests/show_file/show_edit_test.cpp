@@ -230,6 +230,8 @@ TEST(ShowEdit, a_camera_is_added_at_the_end) {
     camera.position_m = {1.5f, -4, 1.625f};
     camera.target_m = {0, 3, 2};
     camera.fov_y_deg = 55;
+    camera.width = 1024;
+    camera.height = 300;
     camera.ev100 = 5.5f;
     const auto added = add_camera(kShow, camera);
     ASSERT_TRUE(added.ok()) << added.error().text();
@@ -241,6 +243,7 @@ TEST(ShowEdit, a_camera_is_added_at_the_end) {
     EXPECT_EQ(made.position_m, camera.position_m);
     EXPECT_EQ(made.target_m, camera.target_m);
     EXPECT_EQ(made.fov_y_deg, camera.fov_y_deg);
+    EXPECT_EQ(std::pair(made.width, made.height), std::pair(1024, 300));
     EXPECT_EQ(made.ev100, camera.ev100);
     camera.name = "automatic";
     camera.auto_exposure = true;

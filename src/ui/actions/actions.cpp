@@ -3,7 +3,6 @@
 
 #include "base/suggest.h"
 
-#include <QApplication>
 #include <QFileDialog>
 
 #include <cmath>
@@ -21,13 +20,7 @@ void Actions::add(Action action) {
     item->setCheckable(static_cast<bool>(action.is_on));
     items_[action.name] = item;
     window_.addAction(item);
-    QObject::connect(item, &QAction::triggered, &window_, [this, name = action.name] {
-        // A key that closes a list is not also one of ours; Qt has changed the mark of the item already.
-        if (QApplication::activePopupWidget())
-            refresh();
-        else
-            choose(name);
-    });
+    QObject::connect(item, &QAction::triggered, &window_, [this, name = action.name] { choose(name); });
     actions_.push_back(std::move(action));
 }
 
@@ -97,13 +90,14 @@ Result<bool> turns(const Action& action, const QStringList& arguments) {
 Result<void> Actions::run(const Action& action, const QStringList& arguments) {
     const Result<bool> turned = turns(action, arguments);
     const bool lacks_file = arguments.isEmpty() && !action.asks.title.isEmpty();
+    const std::size_t before = count_steps ? count_steps() : 0;
     const Result<void> done = lacks_file     ? Result<void>(Error{"it needs the name of a file", ""})
                               : !turned.ok() ? Result<void>(turned.error())
                               : *turned      ? action.run(arguments)
                                              : Result<void>();
     refresh();
     if (done.ok()) {
-        if (on_done) on_done(action);
+        if (on_done) on_done(action, count_steps && count_steps() != before);
         return {};
     }
     return Error{done.error().text(), action.name.toStdString()};

@@ -57,8 +57,10 @@ public:
 
     // Where what went wrong is said when a person did it, not a script.
     std::function<void(const Error&)> complain;
-    // After each action that was done, whoever asked for it.
-    std::function<void(const Action&)> on_done;
+    // After each action that was done, whoever asked for it. made_step: it did something that can be undone.
+    std::function<void(const Action&, bool made_step)> on_done;
+    // How often something was done or undone so far that can be undone.
+    std::function<std::size_t()> count_steps;
 
 private:
     // Null: the line is empty. Error: no such action.

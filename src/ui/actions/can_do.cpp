@@ -37,7 +37,7 @@ bool can_do(const QString& name, const AppModel& app, const ShowDocument& docume
     if (name == "solo") return !app.selection().empty() || !app.look().solo.empty();
     if (name == "play-recorded") return !app.recorded().file.empty() && !app.recorded().error;
     if (kNeedSelection.contains(name) && app.selection().empty()) return false;
-    return !kNeedEditable.contains(name) || document.check_editable().ok();
+    return !kNeedEditable.contains(name) || document.can_edit();
 }
 
 } // namespace ghost::ui

@@ -144,7 +144,7 @@ Result<void> CueList::add(const QString& name, const QString& look) {
     for (int number = 2; name.isEmpty() && is_taken(cue.name); ++number)
         cue.name = wanted + " " + std::to_string(number);
     if (is_taken(cue.name)) return Error{"another cue is called '" + cue.name + "'", ""};
-    return edit(translated("Undo", "Add cue '%1'").arg(QString::fromStdString(cue.name)),
+    return edit(translated("Undo", "Cue '%1' added").arg(QString::fromStdString(cue.name)),
                 scene::add_cue(document_.text(), cue));
 }
 

@@ -2,6 +2,7 @@
 #include "ui/actions/exporter.h"
 
 #include "disk/files.h"
+#include "show/camera_moves.h"
 #include "show/looks.h"
 #include "show/show.h"
 #include "ui/language/language.h"
@@ -76,8 +77,13 @@ QStringList Exporter::tone_arguments() const {
     return {"--tone", QString::fromStdString(image::name_of(app_.request().tone))};
 }
 
-QStringList Exporter::eye_arguments() const {
-    const scene::Camera& camera = app_.camera();
+// A picture of another shape shows all that the window's frame holds, as the window itself does.
+QStringList Exporter::eye_arguments(int width, int height) const {
+    scene::Camera camera = app_.seen_camera();
+    const glm::ivec2 frame(camera.width, camera.height);
+    camera.width = width;
+    camera.height = height;
+    camera = scene::with_frame(camera, frame);
     const float ev100 = camera.auto_exposure ? app_.picture().ev100 : camera.ev100;
     QStringList words{"--eye"};
     for (int axis = 0; axis < 3; ++axis) words << metres(camera.position_m[axis]);
@@ -131,7 +137,7 @@ Result<int> Exporter::render(const PictureRequest& request) {
     TRY(const QString show, show_file());
     QStringList words{"render", show, "-o", QFileInfo(request.file).absoluteFilePath()};
     if (request.camera.isEmpty()) {
-        words += eye_arguments();
+        words += eye_arguments(request.width, request.height);
         words << "--size" << QString("%1x%2").arg(request.width).arg(request.height) << "--supersample"
               << QString::number(request.supersample);
     } else {

@@ -51,7 +51,7 @@ private:
     Result<QString> show_file() const;
     Result<QStringList> look_arguments(bool for_farm);
     QStringList tone_arguments() const;
-    QStringList eye_arguments() const;
+    QStringList eye_arguments(int width, int height) const; // of the picture
 
     AppModel& app_;
     ShowDocument& document_;

@@ -22,7 +22,7 @@ glm::vec3 in_millimetres(const glm::vec3& place_m) {
     return glm::round(place_m * 1000.0f) / 1000.0f;
 }
 
-Result<std::vector<glm::vec3>> places_of_selection(const AppModel& app, const ShowDocument& document) {
+Result<std::vector<glm::vec3>> places_of_selection(const AppModel& app, ShowDocument& document) {
     TRY_VOID(document.check_editable());
     std::vector<glm::vec3> places;
     for (const std::size_t index : app.selection()) places.push_back(app.show()->fixtures[index].position_m);
@@ -107,7 +107,7 @@ Result<void> set_address(AppModel& app, ShowDocument& document, const QStringLis
     TRY(std::string text,
         scene::set_mover_address(document.text(), mover,
                                  {static_cast<int>(universe), static_cast<int>(address)}, bits));
-    return document.edit(translated("Undo", "Address of '%1'").arg(QString::fromStdString(mover.name)),
+    return document.edit(translated("Undo", "Address of '%1' set").arg(QString::fromStdString(mover.name)),
                          {std::move(text), app.look(), app.selection()});
 }
 
@@ -126,7 +126,7 @@ Result<void> hang_under(AppModel& app, ShowDocument& document, std::size_t objec
     for (glm::vec3& place_m : places) place_m = in_millimetres(place_m);
     return PatchEdit(app, document)
         .set_positions(
-            translated("Undo", "Hang under '%1'").arg(QString::fromStdString(objects[object].name)), places);
+            translated("Undo", "Hung under '%1'").arg(QString::fromStdString(objects[object].name)), places);
 }
 
 Result<void> hang(AppModel& app, ShowDocument& document, const QString& pattern) {
@@ -179,7 +179,7 @@ Result<void> fly_on_hoists(AppModel& app, ShowDocument& document, std::size_t ob
             truss.fixtures.push_back(fixture.name);
     add_hoists(bar, show, truss);
     TRY(std::string text, scene::add_mover(document.text(), truss));
-    return document.edit(translated("Undo", "Fly '%1' on hoists").arg(QString::fromStdString(truss.name)),
+    return document.edit(translated("Undo", "'%1' flies on hoists").arg(QString::fromStdString(truss.name)),
                          {std::move(text), app.look(), app.selection()});
 }
 

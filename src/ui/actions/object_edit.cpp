@@ -3,6 +3,7 @@
 
 #include "base/suggest.h"
 #include "base/text.h"
+#include "show/camera_moves.h"
 #include "show/show.h"
 #include "show_file/object_edit.h"
 #include "stage/overrides.h"
@@ -17,11 +18,6 @@ namespace {
 constexpr double kFarthest_m = scene::kMaxCoordinate_m;
 constexpr float kNudge_m = 0.1f;
 
-// What has several materials comes as several objects of one name at one place.
-bool is_part_of(const Object& one, const Object& other) {
-    return glm::distance(one.centre_m, other.centre_m) < std::max(one.radius_m, other.radius_m);
-}
-
 // What the show moves it by already.
 glm::vec3 moved_m(const scene::Show& show, const std::string& name) {
     glm::vec3 moved(0);
@@ -31,6 +27,10 @@ glm::vec3 moved_m(const scene::Show& show, const std::string& name) {
 }
 
 } // namespace
+
+bool is_part_of(const Object& one, const Object& other) {
+    return glm::distance(one.centre_m, other.centre_m) < std::max(one.radius_m, other.radius_m);
+}
 
 Result<std::size_t> object_called(const AppModel& app, const QString& name) {
     if (!app.show()) return Error{"no show is open", ""};
@@ -62,8 +62,75 @@ Result<void> move_object(AppModel& app, ShowDocument& document, std::size_t obje
                      ""};
     const glm::vec3 move_m = glm::round((moved_m(*app.show(), name) + by_m) * 1000.0f) / 1000.0f;
     TRY(std::string text, scene::set_object_move(document.text(), name, move_m));
-    return document.edit(translated("Undo", "Move '%1'").arg(QString::fromStdString(name)),
+    return document.edit(translated("Undo", "'%1' moved").arg(QString::fromStdString(name)),
                          {std::move(text), app.look(), app.selection()});
+}
+
+std::optional<std::size_t> object_met(const AppModel& app, const Picked& picked) {
+    const std::vector<Object>& objects = app.opened().objects;
+    std::optional<std::size_t> nearest;
+    for (std::size_t i = 0; i < objects.size(); ++i) {
+        if (objects[i].name != picked.object) continue;
+        if (!nearest || glm::distance(objects[i].centre_m, picked.at_m) <
+                            glm::distance(objects[*nearest].centre_m, picked.at_m))
+            nearest = i;
+    }
+    return nearest;
+}
+
+Hiding::Hiding(AppModel& app, Actions& actions, QObject* parent)
+    : QObject(parent), app_(app), actions_(actions) {
+    connect(&app_, &AppModel::picked_came, this, &Hiding::take_picked);
+}
+
+Result<void> Hiding::hide_through(const glm::vec2& place) {
+    if (!app_.picture().image) return Error{"there is no picture yet", ""};
+    const scene::Camera& camera = app_.picture().camera;
+    number_ = app_.pick(camera.position_m, scene::way_through(camera, place));
+    return {};
+}
+
+void Hiding::take_picked() {
+    const Picked& picked = app_.picked();
+    if (picked.number != number_) return;
+    number_ = 0;
+    if (const Result<void> done = hide(picked); !done.ok() && actions_.complain)
+        actions_.complain(done.error());
+}
+
+Result<void> Hiding::hide(const Picked& picked) {
+    if (!picked.hit) return Error{"there is nothing but air to hide", ""};
+    if (picked.fixture) return Error{"this is a fixture; Remove takes it away", ""};
+    const std::optional<std::size_t> met = object_met(app_, picked);
+    if (!met) return Error{"there is no such object", ""};
+    const std::vector<Object>& objects = app_.opened().objects;
+    Look look = app_.look();
+    for (const Object& one : objects) {
+        if (one.name != picked.object || !is_part_of(one, objects[*met])) continue;
+        look.shown.erase(one.instance);
+        if (one.shown) look.shown[one.instance] = false;
+    }
+    const QString what = translated("Undo", "'%1' hidden").arg(QString::fromStdString(picked.object));
+    app_.set_look(std::move(look), what);
+    if (on_done) on_done(what);
+    return {};
+}
+
+void add_hide_action(Actions& actions, Hiding& hiding) {
+    actions.add({"hide-through",
+                 "",
+                 "hide-through",
+                 "",
+                 "[X Y]",
+                 [&hiding](const QStringList& words) -> Result<void> {
+                     glm::vec2 place(0.5f);
+                     for (int axis = 0; axis < 2 && !words.isEmpty(); ++axis) {
+                         TRY(const double share, number_of(words, axis, "share of the picture", 0, 1));
+                         place[axis] = static_cast<float>(share);
+                     }
+                     return hiding.hide_through(place);
+                 },
+                 {}});
 }
 
 void add_object_actions(Actions& actions, AppModel& app, ShowDocument& document) {

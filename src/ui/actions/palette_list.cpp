@@ -46,7 +46,7 @@ Result<void> PaletteList::store(scene::PaletteKind kind, const QString& name) {
         palette.values = first;
         palette.fixtures.clear();
     }
-    const QString what = translated("Undo", "Store palette '%1'").arg(name);
+    const QString what = translated("Undo", "Palette '%1' stored").arg(name);
     const Result<std::size_t> before = scene::find_palette(all(), palette.name);
     if (!before.ok()) return edit(what, scene::add_palette(document_.text(), palette));
     return edit(what, scene::replace_palette(document_.text(), all(), *before, palette));
@@ -82,7 +82,7 @@ Result<void> PaletteList::rename(const QString& name, const QString& to) {
 Result<void> PaletteList::remove(const QString& name) {
     TRY_VOID(document_.check_editable());
     TRY(const std::size_t index, scene::find_palette(all(), name.toStdString()));
-    return edit(translated("Undo", "Remove palette '%1'").arg(name),
+    return edit(translated("Undo", "Palette '%1' removed").arg(name),
                 scene::remove_palette(document_.text(), all(), index));
 }
 

@@ -83,7 +83,9 @@ Result<void> PatchEdit::edit_each(const QString& what, F&& f) {
 Result<void> PatchEdit::set_address(fixture::Address from) {
     int before = 0; // footprint
     fixture::Address at = from;
-    return edit_each(translated("Undo", "Address"),
+    return edit_each(from.channel == 0
+                         ? translated("Undo", "%n fixture(s) unpatched", nullptr, chosen().size())
+                         : translated("Undo", "Address"),
                      [&](const scene::PatchedFixture& fixture, scene::FixtureEdit& edit) -> Result<void> {
                          if (before > 0 && from.channel > 0)
                              at = fixture::next_address(at, before, footprint(fixture));
@@ -195,7 +197,7 @@ Result<void> PatchEdit::distribute() {
     for (std::size_t i = 0; i < chosen.size(); ++i)
         places.push_back(
             glm::mix(first_m, last_m, static_cast<float>(i) / static_cast<float>(chosen.size() - 1)));
-    return set_positions(translated("Undo", "Distribute"), places);
+    return set_positions(translated("Undo", "%n fixture(s) spread evenly", nullptr, chosen.size()), places);
 }
 
 Result<void> PatchEdit::duplicate(const glm::vec3& by_m) {
@@ -233,7 +235,7 @@ Result<void> PatchEdit::duplicate(const glm::vec3& by_m) {
     };
     std::set<std::size_t> selection;
     for (const auto& copy : copies) selection.insert(*place(copy.first) + 1);
-    return document_.edit(translated("Undo", "Duplicate"),
+    return document_.edit(translated("Undo", "%n fixture(s) duplicated", nullptr, copies.size()),
                           {std::move(text), counted_anew(app_.look(), place), selection});
 }
 
@@ -257,7 +259,7 @@ Result<void> PatchEdit::remove() {
         if (gone.contains(index)) return std::nullopt;
         return index - static_cast<std::size_t>(std::distance(gone.begin(), gone.lower_bound(index)));
     };
-    return document_.edit(translated("Undo", "Remove"),
+    return document_.edit(translated("Undo", "%n fixture(s) removed", nullptr, gone.size()),
                           {std::move(text), counted_anew(app_.look(), place), {}});
 }
 
@@ -301,11 +303,7 @@ Result<void> PatchEdit::keep_camera(const QString& name) {
     const std::vector<scene::Camera>& cameras = app_.show()->cameras;
     std::set<std::string> taken;
     for (const scene::Camera& camera : cameras) taken.insert(camera.name);
-    scene::Camera camera = app_.camera();
-    if (app_.request().frame != glm::ivec2(0)) { // what its frame holds
-        camera.width = app_.request().frame.x;
-        camera.height = app_.request().frame.y;
-    }
+    scene::Camera camera = app_.seen_camera();
     camera.name =
         name.isEmpty() ? next_name("Camera " + std::to_string(cameras.size()), taken) : name.toStdString();
     if (camera.name.find_first_of("/\\:*?\"<>|") != std::string::npos || camera.name.front() == '.')
@@ -313,7 +311,7 @@ Result<void> PatchEdit::keep_camera(const QString& name) {
     if (!name.isEmpty() && taken.contains(camera.name))
         return Error{"another camera is called '" + camera.name + "'", ""};
     TRY(std::string text, scene::add_camera(document_.text(), camera));
-    return document_.edit(translated("Undo", "Keep camera '%1'").arg(QString::fromStdString(camera.name)),
+    return document_.edit(translated("Undo", "Camera '%1' kept").arg(QString::fromStdString(camera.name)),
                           {std::move(text), app_.look(), app_.selection()});
 }
 
@@ -325,6 +323,10 @@ bool is_model(const fs::path& file) {
 
 namespace {
 
+QString name_of(const fs::path& file) {
+    return QString::fromStdString(file.filename().string());
+}
+
 Result<void> check_model(const fs::path& file) {
     if (is_model(file)) return {};
     return Error{"is no model, expected .glb, .gltf, .obj or .3ds", file.string()};
@@ -334,7 +336,7 @@ Result<void> check_model(const fs::path& file) {
 
 Result<void> PatchEdit::set_stage(const fs::path& file) {
     TRY_VOID(check_model(file));
-    return set_file(translated("Undo", "Stage"), "stage", file);
+    return set_file(translated("Undo", "'%1' is the stage").arg(name_of(file)), "stage", file);
 }
 
 Result<void> PatchEdit::add_model(const fs::path& file, const glm::vec3& position_m) {
@@ -342,7 +344,7 @@ Result<void> PatchEdit::add_model(const fs::path& file, const glm::vec3& positio
     TRY_VOID(check_model(file));
     TRY(const std::string inside, beside_show(file, kMostModelBytes));
     TRY(std::string text, scene::add_model(document_.text(), inside, position_m));
-    return document_.edit(translated("Undo", "Add a model"),
+    return document_.edit(translated("Undo", "Model '%1' added").arg(name_of(file)),
                           {std::move(text), app_.look(), app_.selection()});
 }
 
@@ -352,7 +354,7 @@ Result<void> PatchEdit::set_plot(const fs::path& file) {
         return Error{"the show has a plot; 'ghostlight import' into its folder merges a newer one",
                      file.string()};
     if (lower(file.extension().string()) != ".mvr") return Error{"is no plot, expected .mvr", file.string()};
-    return set_file(translated("Undo", "Plot"), "plot", file);
+    return set_file(translated("Undo", "'%1' is the plot").arg(name_of(file)), "plot", file);
 }
 
 Result<void> PatchEdit::add(const fs::path& file, const glm::vec3& position_m) {
@@ -377,7 +379,7 @@ Result<void> PatchEdit::add(const fs::path& file, const glm::vec3& position_m) {
     const auto place = [&](std::size_t index) -> std::optional<std::size_t> {
         return index < of_file ? index : index + 1;
     };
-    return document_.edit(translated("Undo", "Add"),
+    return document_.edit(translated("Undo", "'%1' added").arg(QString::fromStdString(*made.keys.name)),
                           {std::move(text), counted_anew(app_.look(), place), {of_file}});
 }
 

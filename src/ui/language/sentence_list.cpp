@@ -720,6 +720,8 @@ constexpr const char* kSentences[] = {
                       "nothing of the selected fixtures is set by hand; Shift+R releases everything"),
     QT_TRANSLATE_NOOP("Sentence", "nothing that is selected turns both ways"),
     QT_TRANSLATE_NOOP("Sentence", "there is no picture yet"),
+    QT_TRANSLATE_NOOP("Sentence", "there is nothing but air to hide"),
+    QT_TRANSLATE_NOOP("Sentence", "this is a fixture; Remove takes it away"),
     QT_TRANSLATE_NOOP("Sentence", "there is nothing but air to aim at"),
     QT_TRANSLATE_NOOP("Sentence", "%1 head does not reach that far, and turned as far as possible"),
     QT_TRANSLATE_NOOP("Sentence", "%1 heads do not reach that far, and turned as far as possible"),
@@ -909,8 +911,8 @@ constexpr const char* kSentences[] = {
     QT_TRANSLATE_NOOP("Sentence", "there is no look '%1'"),
     QT_TRANSLATE_NOOP("Sentence", "there is no palette '%1', did you mean '%2'?"),
     QT_TRANSLATE_NOOP("Sentence", "there is no palette '%1'"),
-    QT_TRANSLATE_NOOP("Sentence", "a plot that is opened as it is cannot be edited; 'ghostlight import' "
-                                  "makes a show of it, whose changes outlive the designer's next version"),
+    QT_TRANSLATE_NOOP("Sentence", "a plot that is opened as it is cannot be edited; make a show of it "
+                                  "first (in a script: import-plot)"),
     QT_TRANSLATE_NOOP(
         "Sentence",
         "is open in another window: %1; close it there, or take it over (in a script: take-over)"),

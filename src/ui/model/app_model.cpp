@@ -245,6 +245,20 @@ std::optional<std::size_t> AppModel::stored_camera() const {
                                   : std::optional(static_cast<std::size_t>(found - cameras.begin()));
 }
 
+scene::Camera AppModel::seen_camera() const {
+    scene::Camera camera = request_.camera;
+    if (request_.frame != glm::ivec2(0)) {
+        camera.width = request_.frame.x;
+        camera.height = request_.frame.y;
+    }
+    if (camera.mover != scene::kNoMover && picture_.image) {
+        camera.position_m = picture_.camera.position_m;
+        camera.target_m = picture_.camera.target_m;
+        camera.mover = scene::kNoMover;
+    }
+    return camera;
+}
+
 void AppModel::cut_to(const scene::Camera& stored) {
     flight_.stop();
     put_camera(stored, {stored.width, stored.height});

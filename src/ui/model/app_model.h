@@ -59,6 +59,9 @@ public:
     // As it is meant; while it fades, the request has one on the way there.
     const Look& look() const { return look_; }
     const scene::Camera& camera() const { return request_.camera; }
+    // What is seen, as a camera of its own: its size is that of the frame, or of the view where there is
+    // none, and it stands where the mover that carries the camera has it now.
+    scene::Camera seen_camera() const;
     // The show's camera that stands there, by index; nothing: a free one.
     std::optional<std::size_t> stored_camera() const;
     // Nothing happens where it is open or being opened; one that could not be is tried again.

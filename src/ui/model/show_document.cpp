@@ -160,13 +160,20 @@ void ShowDocument::find_draft() {
                                                          "what was changed there.")));
 }
 
-Result<void> ShowDocument::check_editable() const {
+Result<void> ShowDocument::check_editable() {
+    if (app_.show() && app_.show()->file == app_.show()->plot_file)
+        Q_EMIT found_plot_alone(
+            translated("Notice", "A plot that is opened as it is cannot be edited. A show that is made of it "
+                                 "can, and its changes outlive the designer's next version."));
+    return why_not_editable();
+}
+
+Result<void> ShowDocument::why_not_editable() const {
     if (!app_.show()) return Error{"no show is open", ""};
     if (file_.empty())
-        return Error{
-            "a plot that is opened as it is cannot be edited; 'ghostlight import' makes a show of it, "
-            "whose changes outlive the designer's next version",
-            app_.show()->file.string()};
+        return Error{"a plot that is opened as it is cannot be edited; make a show of it first (in a script: "
+                     "import-plot)",
+                     app_.show()->file.string()};
     if (is_read_only())
         return Error{"is open in another window: " + hold_->holder() +
                          "; close it there, or take it over (in a script: take-over)",
@@ -351,7 +358,7 @@ Result<void> ShowDocument::take_draft() {
 Result<void> ShowDocument::take_over() {
     if (!is_read_only()) return Error{"no other window has this show open", file_.string()};
     hold(Hold::Other::gives_way);
-    if (is_read_only()) return check_editable();
+    if (is_read_only()) return why_not_editable();
     begin_editing();
     return {};
 }

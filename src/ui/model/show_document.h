@@ -41,8 +41,10 @@ public:
         return has_draft() || is_changed_outside() || !is_kept_ || save_failed_ || is_gone_ || is_read_only();
     }
 
-    // Error: no show, an .mvr that was opened as it is, or a draft that waits.
-    Result<void> check_editable() const;
+    // Of what is about to be edited. Error: no show, an .mvr that was opened as it is, which is told to
+    // found_plot_alone, too, or a draft that waits.
+    Result<void> check_editable();
+    bool can_edit() const { return why_not_editable().ok(); }
     // One step. look and selection: as they are with the new text, for indices may move.
     struct Edit {
         std::string text;
@@ -72,13 +74,15 @@ Q_SIGNALS:
     void draft_found(const QString& words);
     void found_changed_outside(const QString& words); // and could not be taken
     void found_gone(const QString& words);
-    void found_held(const QString& words); // by another window
+    void found_held(const QString& words);       // by another window
+    void found_plot_alone(const QString& words); // and an edit was wanted, for which it must become a show
     void save_failed(const QString& words);
     void keep_failed(const QString& words); // the next window would not find what is not saved
 
 private:
     friend class EditStep;
 
+    Result<void> why_not_editable() const;
     void read_opened();
     void put(const Edit& edit);
     void keep_draft();

@@ -175,7 +175,7 @@ void AirPanel::edit_cell(int row, int column) {
 
 void AirPanel::refresh() {
     if (!app_.show()) return;
-    setEnabled(document_.check_editable().ok());
+    setEnabled(document_.can_edit());
     const scene::HazeMedium& haze = app_.show()->haze;
     const Following following(follows_);
     show_haze();

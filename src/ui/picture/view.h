@@ -81,7 +81,6 @@ private:
     void click(const QPointF& place, Qt::KeyboardModifiers keys);
     void select_one(std::size_t fixture, bool adds);
     void select_picked();
-    void choose_picked(const Picked& picked);
 
     AppModel& app_;
     QTimer resize_timer_;

@@ -2,6 +2,7 @@
 // The mouse in the picture: it selects, aims, drags lamps, and moves the camera.
 #include "show/camera_moves.h"
 #include "show/show.h"
+#include "ui/actions/object_edit.h"
 #include "ui/actions/programmer_actions.h"
 #include "ui/language/language.h"
 #include "ui/picture/view.h"
@@ -232,26 +233,13 @@ void View::select_picked() {
     const Picked& picked = app_.picked();
     if (picked.number != picked_) return;
     if (chooses_picked_ && picked.hit && !picked.fixture) {
-        choose_picked(picked);
+        picked_ = 0;
+        app_.mark(object_met(app_, picked));
         return;
     }
     if (!picked.fixture) return;
     picked_ = 0;
     if (*picked.fixture < app_.show()->fixtures.size()) select_one(*picked.fixture, adds_picked_);
-}
-
-// Of objects called so the one that is there.
-void View::choose_picked(const Picked& picked) {
-    picked_ = 0;
-    const std::vector<Object>& objects = app_.opened().objects;
-    std::optional<std::size_t> nearest;
-    for (std::size_t i = 0; i < objects.size(); ++i) {
-        if (objects[i].name != picked.object) continue;
-        if (!nearest || glm::distance(objects[i].centre_m, picked.at_m) <
-                            glm::distance(objects[*nearest].centre_m, picked.at_m))
-            nearest = i;
-    }
-    app_.mark(nearest);
 }
 
 void View::mouseReleaseEvent(QMouseEvent* event) {

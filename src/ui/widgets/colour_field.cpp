@@ -7,6 +7,7 @@
 #include "ui/model/gel_book.h"
 #include "ui/widgets/value_row.h"
 
+#include <QAbstractItemView>
 #include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QMouseEvent>
@@ -16,6 +17,8 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <cmath>
+#include <vector>
 
 namespace ghost::ui {
 namespace {
@@ -42,6 +45,22 @@ QIcon icon_of(const QColor& colour, int size) {
     QPixmap picture(size, size);
     picture.fill(colour);
     return QIcon(picture);
+}
+
+// In the order of the book.
+const std::vector<QColor>& gel_colours() {
+    static const std::vector<QColor> all = [] {
+        std::vector<QColor> colours;
+        for (const Gel& gel : gel_book()) colours.push_back(screen_colour(colour_of(gel, kLamp_k)));
+        return colours;
+    }();
+    return all;
+}
+
+// Within a step of a screen: colours go through the light of the lamp and back.
+bool is_same(const QColor& a, const QColor& b) {
+    return std::abs(a.red() - b.red()) <= 1 && std::abs(a.green() - b.green()) <= 1 &&
+           std::abs(a.blue() - b.blue()) <= 1;
 }
 
 } // namespace
@@ -152,23 +171,33 @@ ColourField::ColourField(QWidget* parent)
     layout->addWidget(gels_);
     kelvin_->show_value(static_cast<double>(kUsual_k), false);
     hues_->on_change = [this](const QColor& colour) {
+        show_gel(colour, false);
         if (on_change) on_change(colour);
     };
     kelvin_->on_change = [this](double kelvin) {
         choose(screen_colour(image::cct_to_rec2020(static_cast<float>(kelvin))));
     };
     connect(gels_, &QComboBox::activated, this, [this](int index) {
-        if (index > 0)
-            choose(screen_colour(colour_of(gel_book()[static_cast<std::size_t>(index - 1)], kLamp_k)));
+        if (index > 0) choose(gel_colours()[static_cast<std::size_t>(index - 1)]);
     });
 }
 
-void ColourField::show_colour(const QColor& colour) {
+void ColourField::show_colour(const QColor& colour, bool mixed) {
     hues_->show_colour(colour);
+    show_gel(colour, mixed);
+}
+
+// The one that has this colour, or none; an open list stays as it is.
+void ColourField::show_gel(const QColor& colour, bool mixed) {
+    if (gels_->view()->isVisible()) return;
+    const std::vector<QColor>& gels = gel_colours();
+    const auto found =
+        std::find_if(gels.begin(), gels.end(), [&](const QColor& gel) { return is_same(gel, colour); });
+    gels_->setCurrentIndex(mixed || found == gels.end() ? 0 : static_cast<int>(found - gels.begin()) + 1);
 }
 
 void ColourField::choose(const QColor& colour) {
-    hues_->show_colour(colour);
+    show_colour(colour);
     if (on_change) on_change(colour);
 }
 

@@ -40,11 +40,12 @@ class ColourField : public QWidget {
     Q_OBJECT
 public:
     explicit ColourField(QWidget* parent);
-    void show_colour(const QColor& colour); // does not call back
+    void show_colour(const QColor& colour, bool mixed = false); // does not call back
     std::function<void(const QColor&)> on_change;
 
 private:
     void choose(const QColor& colour);
+    void show_gel(const QColor& colour, bool mixed);
 
     HueField* hues_;
     ValueRow* kelvin_;

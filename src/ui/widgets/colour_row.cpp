@@ -53,7 +53,7 @@ void ColourRow::unfold(bool on) {
         field_->on_change = [this](const QColor& colour) {
             if (on_change) on_change(colour);
         };
-        field_->show_colour(colour_);
+        field_->show_colour(colour_, mixed_);
         column_->addWidget(field_);
     }
     field_->setVisible(on);
@@ -61,7 +61,8 @@ void ColourRow::unfold(bool on) {
 
 void ColourRow::show_colour(const QColor& colour, bool by_hand, bool mixed) {
     colour_ = colour;
-    if (field_) field_->show_colour(colour);
+    mixed_ = mixed;
+    if (field_) field_->show_colour(colour, mixed);
     button_->setText(mixed     ? translated("Value", "mixed")
                      : by_hand ? translated("Value", "By hand")
                                : QString());

@@ -37,6 +37,7 @@ private:
     ColourField* field_ = nullptr; // made when it is first wanted
     QVBoxLayout* column_;
     QColor colour_;
+    bool mixed_ = false;
 };
 
 } // namespace ghost::ui

@@ -15,8 +15,7 @@
 namespace ghost::ui {
 
 ContextMenus::ContextMenus(Menus& menus, AppModel& app, QWidget* view)
-    : QObject(view), app_(app), view_(view),
-      fill_for_fixtures_([&menus](QMenu& menu) { menus.fill_for_fixtures(menu); }) {
+    : QObject(view), menus_(menus), app_(app), view_(view) {
     view->installEventFilter(this);
 }
 
@@ -29,7 +28,7 @@ void ContextMenus::serve(QAbstractItemView* list, std::function<void(QMenu&)> fi
 }
 
 void ContextMenus::serve_fixtures(QAbstractItemView* list) {
-    serve(list, fill_for_fixtures_);
+    serve(list, [this](QMenu& menu) { menus_.fill_for_fixtures(menu); });
 }
 
 // The right button also looks around: only where it stayed is a menu meant.
@@ -38,7 +37,7 @@ bool ContextMenus::eventFilter(QObject* object, QEvent* event) {
     if (event->type() == QEvent::ContextMenu) {
         const auto* const asked = static_cast<QContextMenuEvent*>(event);
         if (asked->reason() != QContextMenuEvent::Keyboard) return false;
-        pop_up(view_, view_->mapToGlobal(view_->rect().center()), fill_for_fixtures_);
+        pop_up_at(view_->rect().center());
         return true;
     }
     if (event->type() != QEvent::MouseButtonPress && event->type() != QEvent::MouseButtonRelease)
@@ -51,15 +50,25 @@ bool ContextMenus::eventFilter(QObject* object, QEvent* event) {
         return false;
     }
     if ((at - pressed_).manhattanLength() >= QApplication::startDragDistance()) return false;
-    const QPoint on_screen = mouse->globalPosition().toPoint();
     const Picture& picture = app_.picture();
     const auto lamp = fixture_at(picture_rect(view_->size(), picture.camera, picture.framed), picture.camera,
                                  app_.rig(), mouse->position());
     if (lamp && !app_.selection().contains(*lamp)) app_.select({*lamp});
     // After the view has ended its drag.
     QMetaObject::invokeMethod(
-        this, [this, on_screen] { pop_up(view_, on_screen, fill_for_fixtures_); }, Qt::QueuedConnection);
+        this, [this, where = mouse->position()] { pop_up_at(where); }, Qt::QueuedConnection);
     return false;
+}
+
+void ContextMenus::pop_up_at(const QPointF& at) {
+    const Picture& picture = app_.picture();
+    const QRectF shown = picture_rect(view_->size(), picture.camera, picture.framed);
+    const glm::vec2 place = shown.isEmpty() ? glm::vec2(0.5f)
+                                            : glm::clamp(glm::vec2((at.x() - shown.left()) / shown.width(),
+                                                                   (at.y() - shown.top()) / shown.height()),
+                                                         0.0f, 1.0f);
+    pop_up(view_, view_->mapToGlobal(at.toPoint()),
+           [&](QMenu& menu) { menus_.fill_for_picture(menu, place); });
 }
 
 void ContextMenus::pop_up(QWidget* over, const QPoint& at, const std::function<void(QMenu&)>& fill) {

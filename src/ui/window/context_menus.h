@@ -31,9 +31,12 @@ protected:
 private:
     static void pop_up(QWidget* over, const QPoint& at, const std::function<void(QMenu&)>& fill);
 
+    // Over the picture; at: in the view.
+    void pop_up_at(const QPointF& at);
+
+    Menus& menus_;
     AppModel& app_;
     QWidget* view_;
-    std::function<void(QMenu&)> fill_for_fixtures_;
     QPoint pressed_;
 };
 

@@ -108,6 +108,21 @@ void Menus::fill_for_fixtures(QMenu& menu) {
     grey(menu);
 }
 
+void Menus::fill_for_picture(QMenu& menu, const glm::vec2& place) {
+    const QString at = QString(" %1 %2").arg(place.x, 0, 'f', 4).arg(place.y, 0, 'f', 4);
+    const auto add_line = [&](const QString& text, const QString& line, bool can) {
+        QAction* const item = menu.addAction(text);
+        item->setEnabled(can);
+        connect(item, &QAction::triggered, this, [this, line] { actions_.choose(line); });
+    };
+    const bool any = !app_.selection().empty();
+    add_line(translated("Action", "Aim here"), "aim-through" + at, any);
+    add_line(translated("Action", "Explain why it shines or not"), "panel-values on", any);
+    add_line(translated("Action", "Hide what is here"), "hide-through" + at, app_.show() != nullptr);
+    menu.addSeparator();
+    fill_for_fixtures(menu);
+}
+
 // An item that is grey has no key, so they are grey only while they are looked at.
 void Menus::grey(QMenu& menu) {
     connect(&menu, &QMenu::aboutToShow, this, [this, &menu] {

@@ -10,6 +10,8 @@
 #include <QMenu>
 #include <QMenuBar>
 
+#include <glm/glm.hpp>
+
 namespace ghost::ui {
 
 class Menus : public QObject {
@@ -17,8 +19,10 @@ class Menus : public QObject {
 public:
     Menus(Actions& actions, AppModel& app, ShowDocument& document, RecentShows& recent);
     void fill(QMenuBar& bar);
-    // What the right button brings up over the picture and over the list of fixtures.
+    // What the right button brings up over the list of fixtures.
     void fill_for_fixtures(QMenu& menu);
+    // Before it, over the picture, what is about that place in it, (0, 0) its top left corner.
+    void fill_for_picture(QMenu& menu, const glm::vec2& place);
 
 private:
     // "-" is a line between groups, "@recent" the shows of the last time.

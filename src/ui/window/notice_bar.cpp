@@ -35,6 +35,11 @@ NoticeBar::NoticeBar(Actions& actions, ShowDocument& document, AppModel& app, QW
     connect(&document_, &ShowDocument::found_held, this, [this](const QString& words) {
         ask(words, {{translated("Notice", "Take it over"), "take-over"}});
     });
+    connect(&document_, &ShowDocument::found_plot_alone, this, [this](const QString& words) {
+        const QString plot = QString::fromStdString(app_.show()->file.string());
+        ask(words, {{translated("Notice", "Make a show of it"), "import-plot " + quoted(plot), true},
+                    {translated("Notice", "Close"), ""}});
+    });
     connect(&document_, &ShowDocument::save_failed, this, [this](const QString& words) {
         ask(words, {{translated("Notice", "Try again"), "save"},
                     {translated("Notice", "Save a copy elsewhere..."), "save-copy"}});
@@ -55,7 +60,7 @@ NoticeBar::NoticeBar(Actions& actions, ShowDocument& document, AppModel& app, QW
 }
 
 void NoticeBar::say_without_optics() {
-    if (isVisible() || !document_.check_editable().ok()) return;
+    if (isVisible() || !document_.can_edit()) return;
     std::size_t heads = 0;
     for (const FixtureGroup& group : without_optics(*app_.show())) heads += group.fixtures.size();
     if (heads > 0)
@@ -70,12 +75,12 @@ void NoticeBar::say_not_opened() {
     const Error& error = *app_.open_error();
     static const QRegularExpression kLine("(:\\d+)+$"); // "show.toml:12"
     const QString file = QString::fromStdString(error.where).remove(kLine);
-    std::vector<std::pair<QString, QString>> buttons;
+    std::vector<Answer> answers;
     if (QFileInfo(file).isFile())
-        buttons.emplace_back(translated("Notice", "Open the file"), "open-outside \"" + file + "\"");
-    buttons.emplace_back(translated("Notice", "Close"), "");
+        answers.push_back({translated("Notice", "Open the file"), "open-outside \"" + file + "\""});
+    answers.push_back({translated("Notice", "Close"), ""});
     const QString stays = app_.show() ? " " + translated("Notice", "What was open stays open.") : QString();
-    ask(translated("Notice", "Not opened: %1.").arg(shortened(said(error.text()), 120)) + stays, buttons,
+    ask(translated("Notice", "Not opened: %1.").arg(shortened(said(error.text()), 120)) + stays, answers,
         Kind::fault);
     says_not_opened_ = true;
 }
@@ -98,8 +103,7 @@ void NoticeBar::look_at_messages() {
                 {translated("Notice", "All messages"), "panel-messages on"}});
 }
 
-void NoticeBar::ask(const QString& words, const std::vector<std::pair<QString, QString>>& buttons_and_lines,
-                    Kind kind) {
+void NoticeBar::ask(const QString& words, const std::vector<Answer>& answers, Kind kind) {
     clear();
     words_ = words;
     says_not_opened_ = false;
@@ -109,14 +113,13 @@ void NoticeBar::ask(const QString& words, const std::vector<std::pair<QString, Q
     label->setWordWrap(true);
     label->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
     addWidget(label);
-    for (const auto& [text, line] : buttons_and_lines)
-        connect(addAction(text), &QAction::triggered, this, [this, line = line] {
-            if (line.isEmpty()) {
+    for (const Answer& answer : answers)
+        connect(addAction(answer.button), &QAction::triggered, this, [this, answer] {
+            if (answer.puts_away) {
                 says_not_opened_ = false;
                 hide();
-            } else {
-                actions_.choose(line);
             }
+            if (!answer.line.isEmpty()) actions_.choose(answer.line);
         });
     show();
 }

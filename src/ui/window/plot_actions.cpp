@@ -110,8 +110,8 @@ Result<void> substitute(AppModel& app, ShowDocument& document, const std::vector
     }
     const QString what =
         all.size() == 1
-            ? translated("Undo", "Substitute '%1'").arg(QString::fromStdString(all.front().wanted))
-            : translated("Undo", "Substitute %n fixture file(s)", nullptr, all.size());
+            ? translated("Undo", "'%1' substituted").arg(QString::fromStdString(all.front().wanted))
+            : translated("Undo", "%n fixture file(s) substituted", nullptr, all.size());
     return document.edit(what, {std::move(text), app.look(), app.selection()});
 }
 

@@ -28,7 +28,7 @@ void RdmEdits::set_access(RdmAccess access) {
 }
 
 void RdmEdits::offer() {
-    const bool can_edit = document_.check_editable().ok();
+    const bool can_edit = document_.can_edit();
     const RdmAccess offered = access_ == RdmAccess::edit && !can_edit ? RdmAccess::read : access_;
     if (offered != app_.request().rdm)
         app_.change_request([&](ViewRequest& request) { request.rdm = offered; });

@@ -21,6 +21,11 @@ constexpr std::pair<const char*, const char*> kMouse[] = {
      QT_TRANSLATE_NOOP("Keys", "fly; Q, E or page keys: down, up; Shift: faster")},
     {QT_TRANSLATE_NOOP("Keys", "click, Ctrl+click"), QT_TRANSLATE_NOOP("Keys", "select a fixture, one more")},
     {QT_TRANSLATE_NOOP("Keys", "Ctrl+drag"), QT_TRANSLATE_NOOP("Keys", "select all in a box")},
+    {QT_TRANSLATE_NOOP("Keys", "Shift+click"),
+     QT_TRANSLATE_NOOP("Keys", "the selected heads point at what is there")},
+    {QT_TRANSLATE_NOOP("Keys", "drag of a selected lamp"),
+     QT_TRANSLATE_NOOP("Keys", "the selected fixtures move along their truss; Shift: up and down")},
+    {QT_TRANSLATE_NOOP("Keys", "right click"), QT_TRANSLATE_NOOP("Keys", "what can be done there")},
     {QT_TRANSLATE_NOOP("Keys", "double click"),
      QT_TRANSLATE_NOOP("Keys", "go to a fixture; choose a set piece, which its cross moves")}};
 

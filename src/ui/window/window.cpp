@@ -32,6 +32,7 @@
 #include "ui/picture/view_bar.h"
 #include "ui/widgets/focus_guide.h"
 #include "ui/widgets/panel_area.h"
+#include "ui/widgets/popup_keys.h"
 #include "ui/widgets/wheel_guard.h"
 #include "ui/window/private/meter_actions.h"
 #include "ui/window/private/notice_bar.h"
@@ -75,6 +76,7 @@ Window::Window(Link& link, const WindowOptions& options)
     setWindowTitle("Ghostlight");
     setAcceptDrops(true);
     qApp->installEventFilter(new WheelGuard(this));
+    qApp->installEventFilter(new PopupKeys(this));
     setDockNestingEnabled(true);
     setCentralWidget(view_);
     for (QLabel* const one : {status_input_, status_supply_, status_jobs_, status_device_})
@@ -118,6 +120,9 @@ Window::Window(Link& link, const WindowOptions& options)
             actions_.complain(done.error());
     };
     add_object_actions(actions_, app_, document_);
+    auto* hiding = new Hiding(app_, actions_, this);
+    hiding->on_done = [this](const QString& what) { toast_->say(what, [this] { actions_.choose("undo"); }); };
+    add_hide_action(actions_, *hiding);
     add_air_actions(actions_, app_, document_);
     add_bounce_actions(actions_, app_, document_);
     add_document_actions(actions_, document_);
@@ -138,7 +143,9 @@ Window::Window(Link& link, const WindowOptions& options)
     context_menus->serve(cue_table_->table(), [this](QMenu& menu) { cue_table_->fill_menu(menu); });
     PaletteBox& palettes = programmer_->palettes();
     context_menus->serve(palettes.list(), [&palettes](QMenu& menu) { palettes.fill_menu(menu); });
-    actions_.on_done = [this](const Action& action) { say_done(action); };
+    connect(&app_.undo_stack(), &QUndoStack::indexChanged, this, [this] { ++steps_; });
+    actions_.count_steps = [this] { return steps_; };
+    actions_.on_done = [this](const Action& action, bool made_step) { say_done(action, made_step); };
     connect(&app_, &AppModel::look_changed, this, &Window::say_hand_taken);
     transport_ = new QToolBar(translated("Panel", "Transport"), this);
     transport_->setObjectName("transport");
@@ -400,7 +407,7 @@ void Window::begin_where_there_is_light() {
 }
 
 // What else would show nothing.
-void Window::say_done(const Action& action) {
+void Window::say_done(const Action& action, bool made_step) {
     static const std::set<QString> kSays{
         "keep-camera",   "hang",           "duplicate", "remove",        "unpatch",         "distribute",
         "add-fixture",   "add-model",      "set-stage", "substitute",    "substitute-same", "move-object",
@@ -408,7 +415,7 @@ void Window::say_done(const Action& action) {
     if (action.name == "save")
         toast_->say(translated("Notice", "Saved: %1")
                         .arg(QString::fromStdString(app_.show()->file.filename().string())));
-    else if (kSays.contains(action.name) && !app_.undo_stack().undoText().isEmpty())
+    else if (made_step && kSays.contains(action.name))
         toast_->say(app_.undo_stack().undoText(), [this] { actions_.choose("undo"); });
 }
 
@@ -552,7 +559,7 @@ void Window::take_file(const QString& file) {
     const QString ending = QFileInfo(file).suffix().toLower();
     const bool is_fixture = ending == "gdtf" || ending == "qxf" || (ending == "json" && app_.show());
     const bool is_model_file = is_model(file.toStdString());
-    const bool is_plot = ending == "mvr" && document_.check_editable().ok() && app_.show()->plot_file.empty();
+    const bool is_plot = ending == "mvr" && document_.can_edit() && app_.show()->plot_file.empty();
     const bool has_stage =
         app_.show() && (!app_.show()->stage_file.empty() || !app_.show()->plot_file.empty());
     const QString action = is_fixture                   ? "add-fixture"

@@ -64,7 +64,7 @@ private:
     void lay_out();
     void share_columns();
     void begin_where_there_is_light();
-    void say_done(const Action& action);
+    void say_done(const Action& action, bool made_step);
     void say_hand_taken();
     void name_cameras();
     void show_plot_page();
@@ -78,6 +78,7 @@ private:
     Result<void> save_state(const QStringList& arguments);
 
     WindowOptions options_;
+    std::size_t steps_ = 0; // done or undone so far; the list counts one more when it goes
     AppModel app_;
     ShowDocument document_;
     Looks looks_;

@@ -9,7 +9,9 @@
 #include "ui/panels/message_panel.h"
 #include "ui/window/window.h"
 
+#include <QAbstractItemView>
 #include <QApplication>
+#include <QComboBox>
 #include <QDockWidget>
 #include <QDropEvent>
 #include <QKeyEvent>
@@ -18,6 +20,7 @@
 #include <QMimeData>
 #include <QRegularExpression>
 #include <QSettings>
+#include <QShortcutEvent>
 #include <QTemporaryDir>
 #include <QTreeWidget>
 #include <QUrl>
@@ -269,6 +272,35 @@ TEST(Actions, switches_take_on_and_off_and_nothing_else_is_taken_silently) {
     EXPECT_EQ(opened.error_of("see-all 7"), "see-all: takes no arguments, so what is '7'?");
 }
 
+// As Qt does it: who has the keys is asked whether it overrides a shortcut; if not, the shortcut comes.
+void press(QWidget& asked, Qt::Key key, QAction& item) {
+    QKeyEvent override(QEvent::ShortcutOverride, key, Qt::NoModifier);
+    override.ignore();
+    QApplication::sendEvent(&asked, &override);
+    if (override.isAccepted()) return;
+    QShortcutEvent shortcut(item.shortcut(), 0);
+    QApplication::sendEvent(&item, &shortcut);
+    settle();
+}
+
+// It closes at the question already, so nothing is open any more when the shortcut comes.
+TEST(Actions, a_key_that_closes_a_list_is_not_also_one_of_ours) {
+    Opened4 opened;
+    QAction& item = *opened.window->actions().item("select-none");
+    QComboBox list(opened.window.get());
+    list.addItems({"open", "gobo 1"});
+    list.show();
+    EXPECT_EQ(opened.error_of("select *"), "");
+    list.showPopup();
+    settle();
+    ASSERT_TRUE(QApplication::activePopupWidget());
+    press(*list.view(), Qt::Key_Escape, item);
+    EXPECT_FALSE(QApplication::activePopupWidget());
+    EXPECT_EQ(opened.window->app().selection().size(), 4u);
+    press(*opened.window->centralWidget(), Qt::Key_Escape, item);
+    EXPECT_TRUE(opened.window->app().selection().empty()) << "the next one is";
+}
+
 // A popup that is open keeps our keys away, but not what is chosen in a menu.
 TEST(Actions, a_menu_does_what_is_chosen_in_it_and_keys_wait_while_one_is_open) {
     Opened4 opened;
@@ -283,7 +315,7 @@ TEST(Actions, a_menu_does_what_is_chosen_in_it_and_keys_wait_while_one_is_open) 
     menu->popup({10, 10});
     settle();
     ASSERT_EQ(QApplication::activePopupWidget(), menu);
-    opened.window->actions().item("addresses")->trigger(); // as its key would
+    press(*menu, Qt::Key_U, *opened.window->actions().item("addresses"));
     EXPECT_FALSE(opened.window->actions().item("addresses")->isChecked());
     menu->setActiveAction(item);
     QKeyEvent enter(QEvent::KeyPress, Qt::Key_Return, Qt::NoModifier);

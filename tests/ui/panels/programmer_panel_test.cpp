@@ -267,6 +267,50 @@ TEST(ColourField, a_colour_is_chosen_in_the_panel_itself) {
     EXPECT_GT(heads.app.look().fixtures.at(1).colour->y, heads.app.look().fixtures.at(1).colour->x);
 }
 
+TEST(ColourField, the_gel_is_that_of_the_colour_that_is_there_or_none) {
+    Heads heads;
+    heads.app.select({0, 1});
+    auto* const row = heads.panel.findChild<ColourRow*>();
+    row->findChild<QPushButton*>()->click();
+    settle();
+    QComboBox* gels = nullptr;
+    QToolButton *red = nullptr, *release = nullptr;
+    for (QComboBox* const one : row->findChildren<QComboBox*>())
+        if (one->accessibleName() == "Gel") gels = one;
+    for (QToolButton* const one : row->findChildren<QToolButton*>()) {
+        if (one->accessibleName() == "Red") red = one;
+        if (one->accessibleName() == "Give back Colour") release = one;
+    }
+    ASSERT_TRUE(gels && red && release);
+    const auto choose = [&](int index) {
+        gels->setCurrentIndex(index);
+        Q_EMIT gels->activated(index);
+        settle();
+    };
+    for (int index = 1; index < gels->count(); ++index) {
+        choose(index);
+        EXPECT_EQ(gels->currentIndex(), index) << gels->itemText(index).toStdString();
+    }
+    red->click();
+    settle();
+    EXPECT_EQ(gels->currentIndex(), 0) << "a swatch";
+    choose(3);
+    heads.app.undo_stack().undo();
+    settle();
+    EXPECT_EQ(gels->currentIndex(), 0) << "undone";
+    choose(3);
+    release->click();
+    settle();
+    EXPECT_EQ(gels->currentIndex(), 0) << "given back";
+    choose(3);
+    heads.app.select({2});
+    settle();
+    EXPECT_EQ(gels->currentIndex(), 0) << "of another head";
+    heads.app.select({1, 2});
+    settle();
+    EXPECT_EQ(gels->currentIndex(), 0) << "mixed";
+}
+
 TEST(GelBook, conversions_are_what_their_mired_say) {
     for (const Gel& gel : gel_book()) {
         const glm::vec3 colour = colour_of(gel, 3200);

@@ -8,6 +8,7 @@
 
 #include "disk/files.h"
 
+#include <QDialog>
 #include <QDockWidget>
 #include <QLabel>
 #include <QLineEdit>
@@ -16,6 +17,7 @@
 #include <QMouseEvent>
 #include <QPushButton>
 #include <QSettings>
+#include <QTextBrowser>
 #include <QToolButton>
 
 #include <map>
@@ -138,6 +140,87 @@ TEST(ContextMenu, the_right_button_brings_one_up_where_it_was_not_dragged) {
         EXPECT_TRUE(menu()->actions().contains(in.window.actions().item(name))) << name;
     menu()->close();
     settle();
+}
+
+QAction* entry(const QMenu* menu, const QString& text) {
+    for (QAction* const one : menu->actions())
+        if (one->text() == text) return one;
+    return nullptr;
+}
+
+struct WithPicture : InWindow {
+    WithPicture() {
+        open();
+        Picture picture;
+        picture.image = std::make_shared<image::Image8>(320, 180, 4);
+        picture.camera = window.app().camera();
+        picture.camera.width = view->width();
+        picture.camera.height = view->height();
+        link.picture.put(std::move(picture));
+        link.on_news();
+        settle();
+    }
+    QMenu* menu_at(const QPoint& at) {
+        click(view, Qt::RightButton, at, at);
+        return qobject_cast<QMenu*>(QApplication::activePopupWidget());
+    }
+    void choose_at(const QPoint& at, const QString& text) {
+        QMenu* const menu = menu_at(at);
+        ASSERT_TRUE(menu && entry(menu, text)) << text.toStdString();
+        entry(menu, text)->trigger();
+        menu->close();
+        settle();
+    }
+    void meet(bool hit, std::optional<std::size_t> fixture, const std::string& object) {
+        link.picked.put({window.app().request().pick.number, hit, {0, 3, 2}, fixture, object});
+        link.on_news();
+        settle();
+    }
+    View* view = window.findChild<View*>();
+};
+
+TEST(ContextMenu, over_the_picture_heads_are_aimed_at_its_place_and_what_is_there_is_hidden) {
+    WithPicture in;
+    const QPoint low(in.view->width() / 2, in.view->height() * 3 / 4);
+    ASSERT_TRUE(in.menu_at(low));
+    ASSERT_TRUE(entry(in.menu_at(low), "Aim here"));
+    EXPECT_FALSE(entry(in.menu_at(low), "Aim here")->isEnabled()) << "nothing is selected";
+    in.menu_at(low)->close();
+    in.choose_at(low, "Hide what is here");
+    const Pick pick = in.window.app().request().pick;
+    EXPECT_NEAR(pick.way.x, 0, 0.01f);
+    EXPECT_LT(pick.way.z, -0.05f) << "below the middle";
+    in.meet(true, std::nullopt, "Wall");
+    EXPECT_EQ(in.window.app().look().shown, (std::map<std::size_t, bool>{{1, false}}));
+    EXPECT_EQ(in.toast(), "'Wall' hidden");
+    in.window.findChild<Toast*>()->findChild<QToolButton*>()->click();
+    EXPECT_TRUE(in.window.app().look().is_empty());
+    in.choose_at(low, "Hide what is here");
+    in.meet(true, 2, "Lamp 3");
+    EXPECT_TRUE(in.window.app().look().is_empty()) << "a fixture stays";
+    in.choose_at(low, "Hide what is here");
+    in.meet(false, std::nullopt, "");
+    EXPECT_TRUE(in.window.app().look().is_empty()) << "air";
+}
+
+TEST(ContextMenu, over_the_picture_it_is_explained_why_a_head_shines_or_not) {
+    WithPicture in;
+    EXPECT_EQ(in.error_of("panel-values off"), "");
+    EXPECT_EQ(in.error_of("select \"Lamp 2\""), "");
+    in.choose_at({50, 60}, "Explain why it shines or not");
+    auto* const values = in.window.findChild<QDockWidget*>("values");
+    EXPECT_TRUE(values->isVisible() && !values->visibleRegion().isEmpty());
+}
+
+TEST(KeySheet, says_what_the_mouse_does_with_heads) {
+    InWindow in;
+    EXPECT_EQ(in.error_of("shortcuts"), "");
+    settle();
+    const auto* const dialog = in.window.findChild<QDialog*>();
+    ASSERT_TRUE(dialog && dialog->findChild<QTextBrowser*>());
+    const QString sheet = dialog->findChild<QTextBrowser*>()->toPlainText();
+    for (const char* const words : {"Shift+click", "drag of a selected lamp", "right click"})
+        EXPECT_TRUE(sheet.contains(words)) << words;
 }
 
 // Of a list with one row, at that row.
@@ -359,6 +442,34 @@ TEST(Toast, what_shows_nothing_else_is_said_with_a_way_back) {
     EXPECT_NE(in.toast(), "");
     wait_ms(2300);
     EXPECT_EQ(in.toast(), "") << "two seconds";
+}
+
+TEST(Toast, it_says_what_was_done_and_to_what) {
+    WithShow in;
+    EXPECT_EQ(in.error_of("keep-camera Balcony"), "");
+    EXPECT_EQ(in.toast(), "Camera 'Balcony' kept");
+    EXPECT_EQ(in.error_of("add-fixture \"" GHOST_SOURCE_DIR "/assets/fixtures/Ghostlight@LED_Par.gdtf\""),
+              "");
+    const QString name = QString::fromStdString(in.window.app().show()->fixtures.back().name);
+    EXPECT_EQ(in.toast(), QString("'%1' added").arg(name));
+    EXPECT_EQ(in.error_of("cue-add Opener"), "");
+    EXPECT_EQ(in.toast(), "Cue 'Opener' added");
+    EXPECT_EQ(in.error_of("select \"Lamp 1\""), "");
+    EXPECT_EQ(in.error_of("unpatch"), "");
+    EXPECT_EQ(in.toast(), "1 fixture unpatched");
+    EXPECT_EQ(in.error_of("duplicate"), "");
+    EXPECT_EQ(in.toast(), "1 fixture duplicated");
+    EXPECT_EQ(in.error_of("remove"), "");
+    EXPECT_EQ(in.toast(), "1 fixture removed");
+}
+
+// It opens a panel, and the step before it is not its own.
+TEST(Toast, what_made_no_step_does_not_say_that_of_another) {
+    WithShow in;
+    wait_ms(2300);
+    EXPECT_EQ(in.toast(), "");
+    EXPECT_EQ(in.error_of("substitute"), "");
+    EXPECT_EQ(in.toast(), "");
 }
 
 // A choice for the show before says nothing of this one.

@@ -130,6 +130,44 @@ TEST(Patch, the_picture_as_it_is_seen_becomes_a_camera) {
     EXPECT_EQ(desk.document.text(), kShow);
 }
 
+// So that it shows the same when it is called, in a window of any shape.
+TEST(Patch, a_kept_camera_has_the_frame_that_was_seen) {
+    Desk desk;
+    desk.open();
+    desk.app.set_size(800, 450);
+    ASSERT_TRUE(desk.edit.keep_camera("free").ok());
+    desk.follow();
+    const auto size_of_last = [&] {
+        const scene::Camera& last = desk.app.show()->cameras.back();
+        return glm::ivec2(last.width, last.height);
+    };
+    EXPECT_EQ(size_of_last(), glm::ivec2(800, 450)) << "without a frame all of the view is seen";
+    scene::Camera house = desk.app.camera();
+    house.fov_y_deg = 23.4f;
+    house.width = 1024;
+    house.height = 300;
+    desk.app.cut_to(house);
+    ASSERT_TRUE(desk.edit.keep_camera("wide").ok());
+    desk.follow();
+    EXPECT_EQ(size_of_last(), glm::ivec2(1024, 300));
+    EXPECT_EQ(desk.app.show()->cameras.back().fov_y_deg, 23.4f);
+    desk.app.cut_to(desk.app.show()->cameras.back());
+    EXPECT_EQ(desk.app.request().frame, glm::ivec2(1024, 300));
+    // Where a mover carries it, the kept one stands where that has it now.
+    house.mover = 0;
+    desk.app.cut_to(house);
+    Picture picture;
+    picture.image = std::make_shared<image::Image8>(8, 8, 4);
+    picture.camera = house;
+    picture.camera.position_m = {0, -9, 7};
+    desk.link.picture.put(std::move(picture));
+    desk.link.on_news();
+    settle();
+    ASSERT_TRUE(desk.edit.keep_camera("on the crane").ok());
+    desk.follow();
+    EXPECT_EQ(desk.app.show()->cameras.back().position_m, glm::vec3(0, -9, 7));
+}
+
 TEST(Patch, any_sequence_comes_back_to_the_same_bytes) {
     std::mt19937 random(3);
     for (int round = 0; round < 20; ++round) {

@@ -8,6 +8,8 @@
 #include "ui/window/window.h"
 
 #include <QLabel>
+#include <QStatusBar>
+#include <QToolBar>
 #include <QTreeWidget>
 
 namespace ghost::ui {
@@ -47,6 +49,31 @@ TEST(PlotPageInWindow, goes_when_an_edit_changes_the_number_of_fixtures_and_come
     const QTreeWidget* const tree = in.panel().findChild<QTreeWidget*>();
     EXPECT_FALSE(tree->findItems("3 fixtures of", Qt::MatchStartsWith | Qt::MatchRecursive).isEmpty());
     EXPECT_EQ(in.panel().findChild<QLabel*>()->textFormat(), Qt::PlainText);
+}
+
+// Where an edit needs a show a button makes it, as Take on the page does.
+TEST(PlotAlone, an_edit_offers_to_make_a_show_of_it) {
+    Opened opened = four_lamps();
+    auto show = std::make_shared<scene::Show>(*opened.show);
+    show->file = show->plot_file = "nowhere/nothing.mvr";
+    opened.show = show;
+    PlotWindow in(std::move(opened));
+    auto* const notice = in.window.findChild<QToolBar*>("notice");
+    EXPECT_FALSE(notice->isVisible()) << "nothing was edited";
+    for (const char* const line : {"keep-camera", "duplicate", "hang", "cue-add"}) {
+        in.window.app().select({0});
+        EXPECT_FALSE(in.window.actions().run(line).ok());
+        ASSERT_TRUE(notice->isVisible()) << line;
+        EXPECT_TRUE(notice->findChild<QLabel*>()->text().contains("A show that is made of it")) << line;
+        QAction* make = nullptr;
+        for (QAction* const one : notice->actions())
+            if (one->text() == "Make a show of it") make = one;
+        ASSERT_TRUE(make);
+        make->trigger();
+        EXPECT_FALSE(notice->isVisible()) << "it is on its way";
+        EXPECT_TRUE(in.window.statusBar()->currentMessage().contains("nothing.mvr: no such file"))
+            << in.window.statusBar()->currentMessage().toStdString();
+    }
 }
 
 TEST(PlotPageInWindow, says_that_the_plot_cannot_be_read_again) {

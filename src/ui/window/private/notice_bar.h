@@ -23,9 +23,12 @@ private:
     // Errors that an edit brought with it, as a stage that cannot be read.
     void look_at_messages();
     enum class Kind { question, fault };
-    // A line of a script for each button; empty: it puts the line away.
-    void ask(const QString& words, const std::vector<std::pair<QString, QString>>& buttons_and_lines,
-             Kind kind = Kind::question);
+    struct Answer {
+        QString button;
+        QString line;                    // of a script; empty: none
+        bool puts_away = line.isEmpty(); // the notice: it was all that there was to decide
+    };
+    void ask(const QString& words, const std::vector<Answer>& answers, Kind kind = Kind::question);
     void say_not_opened();
     void say_without_optics();
 
