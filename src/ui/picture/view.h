@@ -37,6 +37,8 @@ public:
     const Figures& figures() const { return figures_; }
     void reset_figures() { figures_.reset(); }
     double paint_ms() const { return paint_ms_; }
+    // What the chips say, from left to right.
+    QStringList chip_words() const;
     // Measures there from now on, until the mouse moves.
     void probe_at(const QPointF& place);
     void end_probe();
