@@ -39,6 +39,8 @@ public:
     double paint_ms() const { return paint_ms_; }
     // What the chips say, from left to right.
     QStringList chip_words() const;
+    // Of the stage, under the mouse when it is there.
+    glm::vec3 floor_at(const QPointF& place) const;
     // Measures there from now on, until the mouse moves.
     void probe_at(const QPointF& place);
     void end_probe();

@@ -544,15 +544,18 @@ void Window::dragEnterEvent(QDragEnterEvent* event) {
 void Window::dropEvent(QDropEvent* event) {
     event->acceptProposedAction();
     for (const QUrl& url : event->mimeData()->urls())
-        if (url.isLocalFile()) take_file(url.toLocalFile());
+        if (url.isLocalFile()) take_file(url.toLocalFile(), floor_m);
 }
 
 // Of an open show a fixture, a model or a plot becomes a part; all else is opened.
-void Window::take_file(const QString& file) {
+void Window::take_file(const QString& file, const std::optional<glm::vec3>& floor_m) {
     const QString ending = QFileInfo(file).suffix().toLower();
     const bool is_fixture = ending == "gdtf" || ending == "qxf" || (ending == "json" && app_.show());
     const bool is_model_file = is_model(file.toStdString());
     const bool is_plot = ending == "mvr" && document_.check_editable().ok() && app_.show()->plot_file.empty();
+    const QPoint at = view_->mapFrom(this, event->position().toPoint());
+    std::optional<glm::vec3> floor_m;
+    if (app_.show() && view_->rect().contains(at)) floor_m = view_->floor_at(at);
     const bool has_stage =
         app_.show() && (!app_.show()->stage_file.empty() || !app_.show()->plot_file.empty());
     const QString action = is_fixture                   ? "add-fixture"
@@ -563,7 +566,9 @@ void Window::take_file(const QString& file) {
         app_.open(file.toStdString());
         return;
     }
-    actions_.choose(action + " \"" + file + "\"");
+    QString line = action + " " + quoted(file);
+    if (is_fixture && floor_m) line += QString(" %1 %2").arg(floor_m->x).arg(floor_m->y);
+    actions_.choose(line);
 }
 
 } // namespace ghost::ui
