@@ -14,6 +14,7 @@
 #include "ui/actions/show_actions.h"
 #include "ui/actions/tone_actions.h"
 #include "ui/language/language.h"
+#include "ui/model/fixture_groups.h"
 #include "ui/model/shortened.h"
 #include "ui/panels/air_panel.h"
 #include "ui/panels/browser_panel.h"
@@ -415,10 +416,19 @@ void Window::say_done(const Action& action) {
 void Window::say_hand_taken() {
     const std::size_t count = app_.look().fixtures.size();
     const bool has_hand = count > 0;
-    if (has_hand && !had_hand_ && !app_.fades())
-        toast_->say(translated("Notice", "By hand now: %1. R gives back what is selected, Shift+R all")
-                        .arg(words_of(app_.look())),
-                    [this] { actions_.choose("undo"); });
+    if (has_hand && !had_hand_ && !app_.fades()) {
+        const auto dark =
+            std::count_if(app_.look().fixtures.begin(), app_.look().fixtures.end(), [this](const auto& one) {
+                return one.first < app_.show()->fixtures.size() &&
+                       !can_shine(app_.show()->fixtures[one.first]);
+            });
+        QString words = words_of(app_.look());
+        if (dark > 0)
+            words = translated("Notice", "%1, of which %2 have no optics and stay dark").arg(words).arg(dark);
+        toast_->say(
+            translated("Notice", "By hand now: %1. R gives back what is selected, Shift+R all").arg(words),
+            [this] { actions_.choose("undo"); });
+    }
     had_hand_ = has_hand;
 }
 
