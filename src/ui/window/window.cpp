@@ -386,7 +386,7 @@ void Window::share_columns() {
         resizeDocks({list}, {std::clamp(width() * 16 / 100, 275, 330)}, Qt::Horizontal);
         resizeDocks({list, below}, {height() * 4 / 10, height() * 5 / 10}, Qt::Vertical);
     } else {
-        resizeDocks({list, below}, {235, 255}, Qt::Horizontal);
+        resizeDocks({list, below}, {std::clamp(width() * 13 / 100, 235, 400), 255}, Qt::Horizontal);
     }
 }
 
@@ -553,6 +553,9 @@ void Window::dragEnterEvent(QDragEnterEvent* event) {
 
 void Window::dropEvent(QDropEvent* event) {
     event->acceptProposedAction();
+    const QPoint at = view_->mapFrom(this, event->position().toPoint());
+    std::optional<glm::vec3> floor_m;
+    if (app_.show() && view_->rect().contains(at)) floor_m = view_->floor_at(at);
     for (const QUrl& url : event->mimeData()->urls())
         if (url.isLocalFile()) take_file(url.toLocalFile(), floor_m);
 }
@@ -563,9 +566,6 @@ void Window::take_file(const QString& file, const std::optional<glm::vec3>& floo
     const bool is_fixture = ending == "gdtf" || ending == "qxf" || (ending == "json" && app_.show());
     const bool is_model_file = is_model(file.toStdString());
     const bool is_plot = ending == "mvr" && document_.check_editable().ok() && app_.show()->plot_file.empty();
-    const QPoint at = view_->mapFrom(this, event->position().toPoint());
-    std::optional<glm::vec3> floor_m;
-    if (app_.show() && view_->rect().contains(at)) floor_m = view_->floor_at(at);
     const bool has_stage =
         app_.show() && (!app_.show()->stage_file.empty() || !app_.show()->plot_file.empty());
     const QString action = is_fixture                   ? "add-fixture"
