@@ -784,6 +784,17 @@
             <numerusform>%n Lichter werfen noch keine Schatten</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>LIVE DESK, %n universe(s) silent</source>
+        <translation>
+            <numerusform>PULT LIVE, %n Universum stumm</numerusform>
+            <numerusform>PULT LIVE, %n Universen stumm</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>DESK SILENT %1 s</source>
+        <translation>PULT STUMM %1 s</translation>
+    </message>
 </context>
 <context>
     <name>Colour</name>
@@ -1950,6 +1961,10 @@
         <source>Universe %1</source>
         <translation>Universum %1</translation>
     </message>
+    <message>
+        <source>What is wrong</source>
+        <translation>Was nicht stimmt</translation>
+    </message>
 </context>
 <context>
     <name>Notice</name>
@@ -2060,10 +2075,6 @@
     <message>
         <source>Close and lose them</source>
         <translation>Schließen und verlieren</translation>
-    </message>
-    <message>
-        <source>What this plot has</source>
-        <translation>Was dieser Plan enthält</translation>
     </message>
     <message>
         <source>Close</source>
@@ -2198,6 +2209,21 @@
     <message>
         <source>Make a show of it</source>
         <translation>Eine Show daraus machen</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n head(s) have no optics and stay dark until another file stands in.</source>
+        <translation>
+            <numerusform>%n Gerät hat keine Optik und bleibt dunkel, bis eine andere Datei einspringt.</numerusform>
+            <numerusform>%n Geräte haben keine Optik und bleiben dunkel, bis eine andere Datei einspringt.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Other files for them...</source>
+        <translation>Andere Dateien dafür ...</translation>
+    </message>
+    <message>
+        <source>%1, of which %2 have no optics and stay dark</source>
+        <translation>%1, davon %2 ohne Optik, die dunkel bleiben</translation>
     </message>
 </context>
 <context>
@@ -6679,6 +6705,54 @@ Bitte den Namen des Ordners prüfen.</translation>
     <message>
         <source>this is a fixture; Remove takes it away</source>
         <translation>das ist ein Gerät; Entfernen nimmt es weg</translation>
+    </message>
+    <message>
+        <source>no channel of its file dims it: hands alone light it</source>
+        <translation>kein Kanal seiner Datei dimmt es: es leuchtet nur von Hand</translation>
+    </message>
+    <message>
+        <source>stand-in optics of 10000 lm and 25 degrees: its file says nothing of its own</source>
+        <translation>Ersatzoptik von 10000 lm und 25 Grad: Seine Datei sagt nichts über die eigene</translation>
+    </message>
+    <message>
+        <source>hands alone light them: no channel of their file dims them</source>
+        <translation>nur von Hand zu leuchten: kein Kanal ihrer Datei dimmt sie</translation>
+    </message>
+    <message>
+        <source>their optics are a stand-in</source>
+        <translation>Ersatzoptik</translation>
+    </message>
+    <message>
+        <source>says nothing of its light: hands alone light a stand-in</source>
+        <translation>sagt nichts über sein Licht: ein Ersatz leuchtet nur von Hand</translation>
+    </message>
+    <message>
+        <source>no Beam or Laser geometry in mode &apos;%1&apos;: taking one of 10000 lm and 25 degrees at &apos;%2&apos;, which hands alone light, as its channels have numbers for names</source>
+        <translation>keine Geometrie Beam oder Laser im Modus &apos;%1&apos;: genommen wird eine von 10000 lm und 25 Grad an &apos;%2&apos;, die nur von Hand leuchtet, denn seine Kanäle haben Nummern statt Namen</translation>
+    </message>
+    <message>
+        <source>%1 fixtures are left out, more than 10 km from most of the plot: no picture holds both: %2</source>
+        <translation>%1 Geräte sind weggelassen, mehr als 10 km vom größten Teil des Plans: Kein Bild fasst beides: %2</translation>
+    </message>
+    <message>
+        <source>%1 fixture is left out, more than 10 km from most of the plot: no picture holds both: %2</source>
+        <translation>%1 Gerät ist weggelassen, mehr als 10 km vom größten Teil des Plans: Kein Bild fasst beides: %2</translation>
+    </message>
+    <message>
+        <source>objects more than 10 km from most of the plot are left out: %1</source>
+        <translation>Objekte mehr als 10 km vom größten Teil des Plans sind weggelassen: %1</translation>
+    </message>
+    <message>
+        <source>is no show: a folder with a show.toml, a show.toml, or a plot (.mvr) can be opened</source>
+        <translation>ist keine Show: Zu öffnen sind ein Ordner mit einer show.toml, eine show.toml oder ein Plan (.mvr)</translation>
+    </message>
+    <message>
+        <source>%1 fixtures of %2 have stand-in optics, which hands alone light, as the mode has no beam: %3</source>
+        <translation>%1 Geräte von %2 haben eine Ersatzoptik, die nur von Hand leuchtet, denn der Modus hat keinen Strahl: %3</translation>
+    </message>
+    <message>
+        <source>%1 fixture of %2 has stand-in optics, which hands alone light, as the mode has no beam: %3</source>
+        <translation>%1 Gerät von %2 hat eine Ersatzoptik, die nur von Hand leuchtet, denn der Modus hat keinen Strahl: %3</translation>
     </message>
 </context>
 <context>

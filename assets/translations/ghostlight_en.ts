@@ -51,6 +51,13 @@
             <numerusform>%n lights throw no shadows yet</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>LIVE DESK, %n universe(s) silent</source>
+        <translation>
+            <numerusform>LIVE DESK, %n universe silent</numerusform>
+            <numerusform>LIVE DESK, %n universes silent</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>Fixtures</name>
@@ -100,6 +107,13 @@
         <translation>
             <numerusform>A desk: %n universe</numerusform>
             <numerusform>A desk: %n universes</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n head(s) have no optics and stay dark until another file stands in.</source>
+        <translation>
+            <numerusform>%n head has no optics and stays dark until another file stands in.</numerusform>
+            <numerusform>%n heads have no optics and stay dark until another file stands in.</numerusform>
         </translation>
     </message>
 </context>

@@ -2,6 +2,7 @@
 #include "diagnose/private/doctor_patch.h"
 
 #include "base/text.h"
+#include "diagnose/doctor_show.h"
 #include "show/show.h"
 #include "stage/model_file.h"
 
@@ -283,7 +284,8 @@ private:
         const PatchedFixture& first = fixture(equal.front());
         if (!first.type) return;
         const fixture::Mode& mode = first.type->modes[static_cast<std::size_t>(first.mode)];
-        if (!mode.beams.empty()) return;
+        if (!is_dark_by_desk(*first.type, mode)) return;
+        const bool by_hand = !mode.beams.empty();
         const bool is_lamp =
             std::any_of(mode.channels.begin(), mode.channels.end(), [](const fixture::Channel& of) {
                 return std::any_of(of.functions.begin(), of.functions.end(),
@@ -295,8 +297,12 @@ private:
             });
         say(Severity::warning, "no_beam", equal.front(),
             counted(equal.size(), "fixture") + " of " + kind_text(equal.front()) +
-                (equal.size() == 1 ? " gives" : " give") +
-                " no light, as the mode has no beam: " + names(equal),
+                (by_hand             ? equal.size() == 1 ? " has" : " have"
+                 : equal.size() == 1 ? " gives"
+                                     : " give") +
+                (by_hand ? " stand-in optics, which hands alone light, as the mode has no beam: "
+                         : " no light, as the mode has no beam: ") +
+                names(equal),
             is_lamp
                 ? "name another file of this fixture in [[substitute]] of the show file, or get a newer one"
                 : "fine where it is no lamp; else name another file of it in [[substitute]] of the show file",

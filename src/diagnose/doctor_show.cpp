@@ -63,7 +63,7 @@ public:
             const auto type = own.empty() || path.filename() != own ? load(k) : nullptr;
             const bool is_lit =
                 type && std::any_of(type->modes.begin(), type->modes.end(),
-                                    [](const fixture::Mode& mode) { return !mode.beams.empty(); });
+                                    [&](const fixture::Mode& mode) { return !is_dark_by_desk(*type, mode); });
             return own.empty() || is_lit ? type : nullptr;
         });
         if (!found) return "";
@@ -239,6 +239,13 @@ std::vector<PatchEntry> entries_of(const Show& show) {
         entries.push_back(std::move(entry));
     }
     return entries;
+}
+
+bool is_dark_by_desk(const fixture::Type& type, const fixture::Mode& mode) {
+    return std::all_of(mode.beams.begin(), mode.beams.end(), [&](int node) {
+        const int geometry = mode.nodes[static_cast<std::size_t>(node)].geometry;
+        return type.geometries[static_cast<std::size_t>(geometry)].beam->is_lit_by_hand;
+    });
 }
 
 std::vector<Finding> findings_of(const Show& show, const Report& report, const FixtureOffers& offers) {

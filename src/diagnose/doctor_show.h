@@ -26,6 +26,9 @@ struct FixtureOffers {
     std::function<std::shared_ptr<const fixture::Type>(std::size_t)> load; // null: cannot be read
 };
 
+// No desk lights it: it has no beam, or a stand-in that hands alone light.
+bool is_dark_by_desk(const fixture::Type& type, const fixture::Mode& mode);
+
 std::vector<Finding> findings_of(const Show& show, const Report& report, const FixtureOffers& offers);
 
 } // namespace ghost::scene

@@ -104,6 +104,9 @@ std::optional<Reason> dimmer_finding(const Beam& beam, const fixture::Optics& op
     float asked = 1.0f;
     const std::vector<int> dimmers = beam.find(
         [](const ChannelFacts& channel) { return channel.role == Role::dimmer && channel.number > 0; });
+    if (dimmers.empty())
+        return blocking(Cause::dimmer, "no channel of its file dims it: hands alone light it",
+                        "hands alone light them: no channel of their file dims them", {}, optics.dimmer);
     for (const int dimmer : dimmers) asked *= std::clamp(beam.at(dimmer).reading.physical, 0.0f, 1.0f);
     const std::string places = places_text(beam, dimmers);
     if (asked >= kBlocks && facts.lamp < kBlocks) return std::nullopt;
@@ -337,6 +340,16 @@ std::vector<Reason> causes_in_beam(const fixture::Patch& patch, std::size_t beam
     const Beam beam{patch.mode_of(), beam_index, channels};
     const fixture::Optics& optics = state.optics;
     std::vector<Reason> findings;
+    const int node = patch.mode_of().beams[beam_index];
+    if (patch.type
+            ->geometries[static_cast<std::size_t>(
+                patch.mode_of().nodes[static_cast<std::size_t>(node)].geometry)]
+            .beam->is_assumed)
+        findings.push_back({Cause::no_beam,
+                            false,
+                            "stand-in optics of 10000 lm and 25 degrees: its file says nothing of its own",
+                            "their optics are a stand-in",
+                            {}});
     if (std::optional<Reason> dimmer =
             optics.dimmer < kBlocks ? dimmer_finding(beam, optics, facts) : std::nullopt)
         findings.push_back(std::move(*dimmer));

@@ -173,13 +173,14 @@ private:
             const PlotGdtf* const file = file_of(i);
             const PatchedFixture& fixture = show_.fixtures[i];
             if (!file) continue;
-            bool is_dark = true;
+            bool is_dark = true, by_hand = false;
             if (fixture.type) {
                 const fixture::Mode& mode = fixture.type->modes[static_cast<std::size_t>(fixture.mode)];
                 is_dark = mode.beams.empty();
                 if (std::any_of(mode.beams.begin(), mode.beams.end(), [&](int node) {
                         const int geometry = mode.nodes[static_cast<std::size_t>(node)].geometry;
                         const auto& beam = fixture.type->geometries[static_cast<std::size_t>(geometry)].beam;
+                        by_hand = by_hand || (beam && beam->is_lit_by_hand);
                         return !beam || !beam->is_assumed;
                     }))
                     continue;
@@ -191,6 +192,7 @@ private:
                     {.wanted = wanted,
                      .why = !fixture.type ? file->member.empty() ? "is not in the plot" : "cannot be read"
                             : is_dark     ? "gives no light"
+                            : by_hand     ? "says nothing of its light: hands alone light a stand-in"
                                           : "says nothing of its light: a beam is assumed",
                      .is_dark = is_dark,
                      .fixtures = {},
@@ -212,8 +214,9 @@ private:
         const WantedFixture wanted{own, entries_[first].mode, spacing_of(entries_, lightless.fixtures)};
         const auto likest = suggest_substitute(wanted, offers_.names, [&](std::size_t k) {
             const auto type = offers_.files[k].filename() == own ? nullptr : load(k);
-            const bool is_lit = type && std::any_of(type->modes.begin(), type->modes.end(),
-                                                    [](const auto& mode) { return !mode.beams.empty(); });
+            const bool is_lit =
+                type && std::any_of(type->modes.begin(), type->modes.end(),
+                                    [&](const auto& mode) { return !is_dark_by_desk(*type, mode); });
             return is_lit ? type : nullptr;
         });
         if (likest) {

@@ -168,6 +168,8 @@ public:
             "mirrored by the plot, which no fixture can be; drawn as made");
         say(report, scaled_, Severity::note, "scaled or skewed by the plot; drawn in the size of their GDTF");
         say(report, aimed_, Severity::note, "without pan and tilt and turned to their focus points");
+        say(report, far_, Severity::error,
+            "left out, more than 10 km from most of the plot: no picture holds both");
         if (left_out_ > 0)
             report.add(Severity::error, loaded_.name,
                        std::to_string(left_out_) + " fixtures are left out: a show has at most " +
@@ -197,6 +199,10 @@ private:
         set_addresses(patch_addresses(plot_, object), fixture);
         fixture.is_address_known = are_addresses_known(plot_, object);
         place(object, fixture);
+        if (is_far(fixture.position_m)) {
+            far_.push_back(fixture.name);
+            return;
+        }
         if (object.kind == ObjectKind::projector && fixture.type && reads_)
             fixture.projector =
                 plot_projector(show_, object, *fixture.type, place_of(loaded_, object), report_);
@@ -359,6 +365,7 @@ private:
     std::vector<std::string> mirrored_;
     std::vector<std::string> scaled_;
     std::vector<std::string> aimed_;
+    std::vector<std::string> far_; // left out
     std::vector<std::string> bent_;
     std::vector<std::string> unhung_;
     std::size_t left_out_ = 0;

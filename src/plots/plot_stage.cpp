@@ -143,8 +143,8 @@ public:
                 made.layer = loaded_.plot.layers[static_cast<std::size_t>(object.layer)].name;
             made.mesh = part.mesh;
             made.world = glm::mat4(to_world * glm::dmat4(part.world));
-            if (usable(made.world)) continue;
-            flat_.push_back(made.name);
+            if (usable(made.world) && !is_far_away(made)) continue;
+            (usable(made.world) ? far_ : flat_).push_back(made.name);
             stage_.instances.pop_back();
         }
     }
@@ -154,6 +154,9 @@ public:
         if (!flat_.empty())
             report.add(Severity::error, loaded_.name,
                        "objects whose placement has no volume are left out: " + name_list(flat_));
+        if (!far_.empty())
+            report.add(Severity::error, loaded_.name,
+                       "objects more than 10 km from most of the plot are left out: " + name_list(far_));
         if (left_out_ > 0)
             report.add(Severity::error, loaded_.name,
                        std::to_string(left_out_) +
@@ -173,6 +176,12 @@ private:
     static bool usable(const glm::mat4& matrix) {
         const float volume = glm::determinant(glm::mat3(matrix));
         return image::is_finite(matrix) && std::isfinite(volume) && std::abs(volume) > 1e-20f;
+    }
+
+    bool is_far_away(const Instance& placed) const {
+        const std::vector<glm::vec3>& corners =
+            stage_.meshes[static_cast<std::size_t>(placed.mesh)].positions;
+        return !corners.empty() && is_far(glm::vec3(placed.world * glm::vec4(corners.front(), 1.0f)));
     }
 
     std::vector<Instance> read(const PlotMesh& mesh) {
@@ -224,7 +233,7 @@ private:
     MaterialSet materials_;
     MeshMessages messages_;
     std::map<int, std::vector<Instance>> parts_;
-    std::vector<std::string> flat_;
+    std::vector<std::string> flat_, far_; // names of what is left out
     std::size_t drawn_ = 0;
     std::size_t left_out_ = 0;
     std::size_t picture_bytes_ = 0;

@@ -30,6 +30,13 @@ std::vector<bool> shown_objects(const Plot& plot, std::span<const std::string> h
 // centimetres: whole kilometres to take off all places. Zero for a plot within 5 km.
 glm::dvec3 origin_of(const Plot& plot);
 
+// As far from most of the plot as nothing that show.toml places may be: one such thing, and no camera holds
+// the others.
+inline bool is_far(const glm::vec3& place_m) {
+    const auto most_m = static_cast<float>(kMaxCoordinate_m);
+    return glm::any(glm::greaterThan(glm::abs(place_m), glm::vec3(most_m)));
+}
+
 // shown: per object, of shown_objects. Error: stopped by loading.stop.
 Result<void> add_plot_stage(LoadedPlot& loaded, const std::vector<bool>& shown, const glm::dvec3& origin_m,
                             Stage& stage, Report& report, const ShowLoading& loading);

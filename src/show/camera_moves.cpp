@@ -152,4 +152,15 @@ glm::vec3 way_through(const Camera& camera, const glm::vec2& place) {
                           glm::vec3(to_world[1]) * (tan_y * (1 - 2 * place.y)));
 }
 
+glm::vec3 floor_along(const Camera& camera, const glm::vec3& way) {
+    constexpr float kBehind =
+        1.5f; // times as far as the target: a level look meets the floor in the next town
+    float away_m = glm::distance(camera.position_m, camera.target_m);
+    if (const float to_floor_m = -camera.position_m.z / way.z;
+        std::isfinite(to_floor_m) && to_floor_m > 0.0f && to_floor_m < kBehind * away_m)
+        away_m = to_floor_m;
+    const glm::vec3 place_m = camera.position_m + away_m * way;
+    return {place_m.x, place_m.y, 0.0f};
+}
+
 } // namespace ghost::scene

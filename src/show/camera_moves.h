@@ -44,5 +44,8 @@ struct InPicture {
 std::optional<InPicture> project(const Camera& camera, const glm::vec3& point_m);
 // Unit vector: the way from the eye through that place of the picture.
 glm::vec3 way_through(const Camera& camera, const glm::vec2& place);
+// The place of the floor, at height 0, that a way from the eye (unit vector) meets; where it meets none, or
+// one far behind what the camera looks at: below or above the place of that way that is as far away.
+glm::vec3 floor_along(const Camera& camera, const glm::vec3& way);
 
 } // namespace ghost::scene

@@ -249,8 +249,16 @@ Result<ParsedShow> parse_file(const fs::path& path, Report& report) {
         return parsed;
     }
     const fs::path file = fs::is_directory(path, code) ? path / "show.toml" : path;
-    TRY(const std::string text, read_text_file(file, kMaxShowBytes));
-    return parse_show(text, file, report);
+    const Result<std::string> text = read_text_file(file, kMaxShowBytes);
+    // A song, a picture, a drawing: where nothing looks like a show, no line of it is to be mended.
+    const bool looks_like_one = file != path || lower(path.extension().string()) == ".toml" ||
+                                !is_file(path) || (text.ok() && text->find("[show]") != std::string::npos);
+    const Error no_show{"is no show: a folder with a show.toml, a show.toml, or a plot (.mvr) can be opened",
+                        path.string()};
+    if (!text.ok()) return looks_like_one ? text.error() : no_show;
+    Result<ParsedShow> parsed = parse_show(*text, file, report);
+    if (!parsed.ok() && !looks_like_one) return no_show;
+    return parsed;
 }
 
 } // namespace

@@ -18,19 +18,20 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string channel_xml(int offset, const char* attribute) {
+std::string channel_xml(int offset, const std::string& attribute) {
     return "<DMXChannel Offset=\"" + std::to_string(offset) +
            "\" Geometry=\"Beam\"><LogicalChannel Attribute=\"" + attribute + "\"><ChannelFunction Name=\"" +
            attribute + "\" Attribute=\"" + attribute + "\"/></LogicalChannel></DMXChannel>\n";
 }
 
 // A fixture with a mode for each of these lengths: "M4", "M8" ..
-std::string gdtf(const std::string& name, const std::vector<int>& lengths, bool has_beam = true) {
+std::string gdtf(const std::string& name, const std::vector<int>& lengths, bool has_beam = true,
+                 const std::string& other = "Control") {
     std::string modes;
     for (const int length : lengths) {
         modes += "<DMXMode Name=\"M" + std::to_string(length) + "\" Geometry=\"Base\"><DMXChannels>\n";
         for (int k = 1; k <= length; ++k)
-            modes += channel_xml(k, k == 1 ? (has_beam ? "Dimmer" : "Control1") : "Control2");
+            modes += channel_xml(k, k == 1 && has_beam ? "Dimmer" : other + std::to_string(k));
         modes += "</DMXChannels></DMXMode>";
     }
     const std::string xml = "<?xml version=\"1.0\"?>\n<GDTF DataVersion=\"1.2\"><FixtureType Name=\"" + name +
@@ -313,6 +314,22 @@ TEST_F(Doctor, suggests_a_lamp_that_shines) {
         if (finding.what.find("2 fixtures of 'Test@Spot 300.gdtf'") != std::string::npos) {
             said = true;
             expect_said(finding.advice, {"'Third@Spot 300.gdtf' of the archive", "'M4' has the 4 channels"});
+        }
+    EXPECT_TRUE(said);
+}
+
+// As Capture writes all of its heads.
+TEST_F(Doctor, suggests_a_lamp_for_one_that_hands_alone_light) {
+    const Members members{{"Test@Spot 300.gdtf", gdtf("Spot 300", {4}, false, "Dimmer")},
+                          {"Other@Spot 300.gdtf", gdtf("Spot 300", {4, 8}, false, "Dimmer")},
+                          {"Third@Spot 300.gdtf", gdtf("Spot 300", {8, 4})}};
+    bool said = false;
+    for (const Finding& finding :
+         of_kind(check(lamp(10, "Test@Spot 300.gdtf", "M4", "1"), members), "no_beam"))
+        if (finding.what.find("1 fixture of 'Test@Spot 300.gdtf'") != std::string::npos) {
+            said = true;
+            expect_said(finding.what, {"has stand-in optics, which hands alone light"});
+            expect_said(finding.advice, {"'Third@Spot 300.gdtf' of the archive"});
         }
     EXPECT_TRUE(said);
 }

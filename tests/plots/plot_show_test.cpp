@@ -454,6 +454,27 @@ TEST(PlotShow, ChannelsThatAreSharedAreSaidWithTheirPlaces) {
         << messages_of(report);
 }
 
+// One of them would take all cameras along.
+TEST(PlotShow, WhatIsFarFromMostOfAPlotIsLeftOutByName) {
+    Report report;
+    const std::string sail = "<Geometry3D fileName=\"Sail.glb\"/>";
+    const Show show = opened_xml("far",
+                                 small_xml(fixture_xml(20, "A", kIdentity + "{0,0,6000}", "") +
+                                           fixture_xml(21, "B", kIdentity + "{2000,0,6000}", "") +
+                                           fixture_xml(22, "Lost", kIdentity + "{40000000,0,6000}", "") +
+                                           object_xml(40, "Deck", kIdentity + "{0,0,0}", sail) +
+                                           object_xml(41, "Moon", kIdentity + "{0,0,40000000}", sail)),
+                                 report);
+    ASSERT_EQ(show.fixtures.size(), 2u);
+    EXPECT_EQ(show.fixtures[1].name, "B");
+    ASSERT_EQ(show.stage.instances.size(), 1u);
+    for (const Camera& camera : show.cameras) EXPECT_LT(glm::length(camera.position_m), 100) << camera.name;
+    EXPECT_TRUE(says(report, {"1 fixture is left out, more than 10 km from most of the plot", "Lost"}))
+        << messages_of(report);
+    EXPECT_TRUE(says(report, {"objects more than 10 km from most of the plot are left out", "Moon"}))
+        << messages_of(report);
+}
+
 TEST(PlotShow, PlotsFarFromTheirOriginComeNear) {
     Report report;
     const Show show =

@@ -24,11 +24,16 @@ STUB = """<?xml version="1.0" encoding="UTF-8"?><GDTF DataVersion="1.2"><Fixture
  Attribute="Dimmer" DMXFrom="0/1" Default="0/1"/></LogicalChannel></DMXChannel></DMXChannels></DMXMode></DMXModes></FixtureType></GDTF>"""
 
 
-def plot(path, has_file=True):
+# The same as Capture writes it: nobody knows what its channels do.
+NAMELESS = STUB.replace('Attribute="Dimmer"', 'Attribute="Dimmer1"').replace("</DMXChannels>", """<DMXChannel DMXBreak="1" Offset="2" Geometry="Body">
+<LogicalChannel Attribute="Dimmer2"><ChannelFunction Attribute="Dimmer2"/></LogicalChannel></DMXChannel></DMXChannels>""")
+
+
+def plot(path, has_file=True, description=STUB):
     """Three heads of the stub, in a file with their GDTF, or without."""
     stub = path.parent / "stub.gdtf"
     with zipfile.ZipFile(stub, "w") as archive:
-        archive.writestr("description.xml", STUB)
+        archive.writestr("description.xml", description)
     heads = "".join(f"""<Fixture name="Head {i + 1}" uuid="3333333{i}-2222-4222-8222-222222222222">
 <Matrix>{{1,0,0}}{{0,1,0}}{{0,0,1}}{{{2000 * i},1000,6000}}</Matrix><GDTFSpec>Nobody@Stub.gdtf</GDTFSpec><GDTFMode>Standard</GDTFMode>
 <Addresses><Address break="0">{1 + i}</Address></Addresses></Fixture>""" for i in range(3))
@@ -92,6 +97,10 @@ class FirstMinutes(unittest.TestCase):
             self.assertEqual([(one["file"], one["heads"], one["dark"]) for one in page["lightless"]], [("Nobody@Stub.gdtf", 3, True)])
             self.assertGreaterEqual(page["missing"], 1)
             self.assertGreater(state["view"][2], 0.6 * 900, "the picture keeps its share")
+            self.assertIn("3 heads have no optics and stay dark", state["notice"])
+            window.do("select *", "intensity 1")
+            self.assertIn("3 fixtures, of which 3 have no optics and stay dark", window.state()["toast"])
+            window.do("release-all", "select-none")
             window.do("plot-select Nobody@Stub.gdtf")
             self.assertEqual(len(window.state()["selection"]), 3)
             self.assertIn("no fixtures of a file, a kind or a title", window.ask("plot-select nothing"))
@@ -111,6 +120,22 @@ class FirstMinutes(unittest.TestCase):
             self.assertIn('gdtf = "Ghostlight@LED_Par.gdtf"\nmode = "Dimmer RGB"', (WORK / "bare/show.toml").read_text())
             window.do("undo", "undo")
             window.until(lambda state: [one["file"] for one in state["plot_page"]["lightless"]] == ["Nobody@Stub.gdtf"])
+        finally:
+            self.assertEqual(window.close(), 0)
+
+    def test_heads_whose_channels_have_no_names_are_lit_by_hand(self):
+        plot(WORK / "capture.mvr", description=NAMELESS)
+        window = Window("--size", "900x600", "--no-desk", "--quiet", show=WORK / "capture.mvr")
+        try:
+            window.do("wait opened", "work-light off", "panel-plot off")
+            self.assertIn("3 heads have no optics in their files: what is seen of their light is assumed", window.state()["notice"])
+            window.until(lambda state: state["picture"]["missing_maps"] == 0)  # though no picture changes by it
+            dark = window.picture("dark")
+            window.do("select *", "intensity 1")
+            self.assertGreater(changed(window.picture("lit"), dark), 0.1)
+            self.assertNotIn("stay dark", window.state()["toast"])
+            window.do("intensity 0", 'select "Head 1"')
+            window.until(lambda state: "hands alone light it" in state["explained"].get("why", ""))
         finally:
             self.assertEqual(window.close(), 0)
 

@@ -307,6 +307,21 @@ class Desk(unittest.TestCase):
             self.assertGreater(state["packet_to_window_ms"]["count"], 0)
             self.assertGreaterEqual(state["packet_to_window_ms"]["max"], state["packet_to_window_ms"]["p50"])
             window.until(lambda state: state["network"] == [])  # all is well, as soon as what is amiss is counted again
+            self.assertEqual(state["chips"][0], "LIVE DESK")
+
+            # A desk that is gone is told; what it sent last is held, as long as the show is open.
+            play.kill()
+            play.wait()
+            state = window.until(lambda state: state["chips"][0].startswith("DESK SILENT"))
+            self.assertEqual(state["universes"], [1])
+            self.assertFalse(state["picture"]["work_light"])
+            bare = WORK / "bare"
+            shutil.copytree(WORK / "demo", bare, ignore=shutil.ignore_patterns("*.show"))
+            show = (bare / "show.toml").read_text()
+            (bare / "show.toml").write_text("".join(line for line in show.splitlines(True) if not line.startswith("recording")))
+            window.do(f'open "{bare}"', "wait opened")
+            state = window.until(lambda state: state["show"].endswith("bare/show.toml") and state["picture"]["work_light"])
+            self.assertEqual((state["chips"][0], state["universes"]), ("NO DESK YET", []))
         finally:
             if play:
                 play.terminate()

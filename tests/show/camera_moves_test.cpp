@@ -39,6 +39,20 @@ TEST(CameraMoves, project_knows_centre_edges_and_what_is_behind) {
     EXPECT_FALSE(project(one, {0, -11, 2}));
 }
 
+TEST(CameraMoves, the_floor_is_met_where_one_looks_and_not_in_the_next_town) {
+    Camera one;
+    one.position_m = {1, -10, 3};
+    one.target_m = {1, 0, 0.5f};
+    const auto ahead = [&] { return glm::normalize(one.target_m - one.position_m); };
+    expect_close(floor_along(one, ahead()), {1, 2, 0});
+    one.target_m = {1, 0, 2.5f}; // nearly level: the floor would be at 50
+    EXPECT_NEAR(floor_along(one, ahead()).y, 0, 0.01f);
+    one.target_m = {1, 0, 8}; // up
+    expect_close(floor_along(one, ahead()), {1, 0, 0});
+    one.target_m = {1, 0, 3}; // level
+    expect_close(floor_along(one, ahead()), {1, 0, 0});
+}
+
 TEST(CameraMoves, between_begins_and_ends_at_the_cameras) {
     Camera to = camera();
     to.position_m = {-8, 1, 6};

@@ -176,7 +176,8 @@ void check_show(const fs::path& path, const scene::FixtureOffers& offers, const 
     result.findings = scene::findings_of(*show, report, offers);
     const auto dark =
         std::count_if(show->fixtures.begin(), show->fixtures.end(), [](const scene::PatchedFixture& one) {
-            return !one.type || one.type->modes[static_cast<std::size_t>(one.mode)].beams.empty();
+            return !one.type ||
+                   scene::is_dark_by_desk(*one.type, one.type->modes[static_cast<std::size_t>(one.mode)]);
         });
     const scene::Stage& stage = show->stage;
     result.summary =

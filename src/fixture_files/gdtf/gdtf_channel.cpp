@@ -345,6 +345,13 @@ void fill_below(GdtfReader& reader, Channel& channel, const std::vector<ModeMast
     function.dmx_from = 0;
 }
 
+// A head whose file does not say where it rests is at home, not turned to its stops.
+void rest_axis(ChannelFunction& function) {
+    const Role role = function.meaning.role;
+    if ((role == Role::pan || role == Role::tilt) && function.dmx_to > function.dmx_from)
+        function.dmx_default = function.dmx_from + (function.dmx_to - function.dmx_from) / 2 + 1;
+}
+
 std::uint32_t find_initial(GdtfReader& reader, pugi::xml_node node, const Channel& channel, int bytes) {
     const std::string wanted = reader.text(node, "InitialFunction");
     const std::vector<std::string_view> parts = split(wanted, '.');
@@ -428,7 +435,10 @@ ChannelTemplate read_channel(GdtfReader& reader, pugi::xml_node node) {
                    "the channel '" + channel.logical[0].attribute +
                        "' has no ChannelFunction: it does nothing");
     close_functions(reader, source, nodes);
-    for (std::size_t i = 0; i < nodes.size(); ++i) read_sets(reader, nodes[i], bytes, channel.functions[i]);
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+        read_sets(reader, nodes[i], bytes, channel.functions[i]);
+        if (!reader.attribute(nodes[i], "Default")) rest_axis(channel.functions[i]);
+    }
     fill_below(reader, channel, source.masters, nodes);
     channel.initial = find_initial(reader, node, channel, bytes);
     const std::string highlight = reader.text(node, "Highlight", "None");

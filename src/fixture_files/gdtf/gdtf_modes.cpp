@@ -99,6 +99,14 @@ bool speaks_of_light(const Channel& channel) {
     return false;
 }
 
+// "Dimmer17": what programs write for each of a head's channels that know only how many there are.
+bool is_nameless(const Channel& channel) {
+    constexpr std::string_view kStem = "dimmer";
+    const std::string attribute = channel.logical.empty() ? "" : lower(channel.logical.front().attribute);
+    return attribute.size() > kStem.size() && attribute.starts_with(kStem) &&
+           attribute.find_first_not_of("0123456789", kStem.size()) == std::string::npos;
+}
+
 // Break and bytes to add for a channel in a reference; false where the reference lacks the channel's break.
 bool place_in_reference(const ReferenceInstance& instance, bool overwrite, int& dmx_break, int& add) {
     if (instance.root) {
@@ -278,10 +286,19 @@ struct ModeReader {
 
     // Files made by drawing programs have a dimmer and a body, but no Beam: a lamp that is patched should
     // shine. It shines as a default Beam would, from the last moving part or where its first channel sits.
+    // Where channels have numbers for names, nobody knows which one dims it, unless it is the only one.
     void stand_in_beam() {
         int node = -1;
         for (const Channel& channel : mode.channels)
             if (node < 0 && speaks_of_light(channel)) node = channel.node;
+        bool by_hand = false;
+        if (node < 0 && !mode.channels.empty() && is_nameless(mode.channels.front())) {
+            node = mode.channels.front().node;
+            by_hand = mode.channels.size() > 1;
+            if (!by_hand)
+                for (ChannelFunction& function : mode.channels.front().functions)
+                    function.meaning = attribute_from("Dimmer");
+        }
         if (node < 0 || kind_of(node) == GeometryKind::media_server_layer ||
             kind_of(node) == GeometryKind::media_server_master) {
             reader.say(Severity::warning, mode_node,
@@ -297,6 +314,7 @@ struct ModeReader {
         geometry.name = "Beam (assumed)";
         geometry.beam.emplace();
         geometry.beam->is_assumed = true;
+        geometry.beam->is_lit_by_hand = by_hand;
         mode.beams.push_back(static_cast<int>(mode.nodes.size()));
         mode.nodes.push_back({.name = geometry.name,
                               .geometry = static_cast<int>(reader.type().geometries.size()),
@@ -305,7 +323,9 @@ struct ModeReader {
         reader.say(Severity::warning, mode_node,
                    "no Beam or Laser geometry in mode '" + mode.name +
                        "': taking one of 10000 lm and 25 degrees at '" +
-                       mode.nodes[static_cast<std::size_t>(node)].name + "', as its channels speak of light");
+                       mode.nodes[static_cast<std::size_t>(node)].name +
+                       (by_hand ? "', which hands alone light, as its channels have numbers for names"
+                                : "', as its channels speak of light"));
     }
 
     GeometryKind kind_of(int node) const {

@@ -222,6 +222,7 @@ void Engine::adopt(std::unique_ptr<Session> session, Opening::Kind kind) {
     if (kind != Opening::Kind::another && before) input_->go_on_from(*before);
     shown_.camera = {};
     shown_.lights = {};
+    missing_maps_sent_ = session_->live->missing_maps();
     live_.begin();
     if (kind == Opening::Kind::another) live_.begin_show(session_->show->fixtures.size());
     if (session_before) {

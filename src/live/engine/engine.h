@@ -159,6 +159,7 @@ private:
         std::vector<glm::mat4> moved; // by movers
     } shown_;
     std::string supply_sent_; // words of the picture that was published last
+    std::size_t missing_maps_sent_ = 0;
     double last_step_s_ = 0;
     double air_s_ = 0; // age of the swirls
     double last_change_s_ = 0;

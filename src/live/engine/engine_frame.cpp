@@ -220,7 +220,9 @@ void Engine::frame() {
     const double draw_ms = 1e3 * (now_s() - begin_s);
     // Spans: of what the device did; a picture that is the same does nothing.
     const bool drew = !statistics.spans.empty() && !statistics.stopped;
-    if (drew || request_.false_colour != false_colour_ || baked_.words() != supply_sent_)
+    // The map of a lamp that is dark changes no picture, and is one less to come all the same.
+    const bool has_more_maps = !statistics.stopped && session_->live->missing_maps() != missing_maps_sent_;
+    if (drew || request_.false_colour != false_colour_ || baked_.words() != supply_sent_ || has_more_maps)
         publish_picture(statistics, draw_ms);
     if (drew) {
         if (!baked && last_change_s_ == begin_s) live_.learn(statistics, draw_ms, request_.quality.fps);

@@ -48,7 +48,7 @@ void Engine::publish_picture(const render::FrameStatistics& statistics, double d
     picture.is_baked = shown_.is_baked;
     picture.supply = supply_sent_ = baked_.words();
     picture.is_coarse = !shown_.is_baked && request_.quality.percent == 0 && !live_.is_whole(shown_.camera);
-    picture.missing_maps = session_->live->missing_maps();
+    picture.missing_maps = missing_maps_sent_ = session_->live->missing_maps();
     picture.has_work_light = !shown_.is_baked && live_.has_work_light();
     picture.arrival = std::exchange(arrival_, std::chrono::nanoseconds{0});
     link_.picture.put(std::move(picture), [](const ui::Picture& unread, ui::Picture& next) {

@@ -67,6 +67,10 @@ void LiveInput::step(ui::Input wanted, const ui::Transport& transport, double dt
         if (std::optional<dmx::Universes> newest = is_frozen ? std::nullopt : receiver_->take()) {
             arrival_ = newest->first_change;
             desk_ = std::move(*newest);
+            // The receiver holds looks for whoever was shown them, which is another show than this.
+            std::erase_if(desk_.list, [this](const dmx::Universe& universe) {
+                return universe.lost && universe.arrival < since_;
+            });
         }
         if (std::optional<dmx::Statistics> newest = receiver_->take_statistics()) {
             statistics_ = std::move(*newest);
@@ -102,6 +106,7 @@ bool LiveInput::plays_else_in(double dt_s) const {
 
 void LiveInput::go_on_from(const LiveInput& before) {
     desk_ = before.desk_;
+    since_ = before.since_;
     statistics_ = before.statistics_;
     listened_s_ = before.listened_s_;
     at_s_ = before.at_s_;

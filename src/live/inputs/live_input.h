@@ -1,8 +1,8 @@
 #pragma once
 // SPDX-License-Identifier: Apache-2.0
 // LiveInput: the levels that a window shows: those of a desk, or of the show's recording, which plays, rests
-// and jumps as a person wants. A desk is heard all the time, also while the recording is shown. Seconds; one
-// thread.
+// and jumps as a person wants. A desk is heard all the time, also while the recording is shown; what one held
+// that was silent before this began counts for nothing until it sends again. Seconds; one thread.
 
 #include "base/result.h"
 #include "diagnose/explain.h"
@@ -77,6 +77,7 @@ private:
     bool statistics_are_new_ = false;
     bool shows_desk_ = false;
     double at_s_ = 0;
+    std::chrono::nanoseconds since_ = std::chrono::steady_clock::now().time_since_epoch();
     double listened_s_ = 0;
     std::uint64_t seeks_ = 0;
     std::chrono::nanoseconds arrival_{0};

@@ -105,7 +105,8 @@ public:
         double upload_ms = 0;
     };
     const MapWork& map_work() const { return map_work_; }
-    std::size_t missing_maps() const { return missing_maps_; }
+    // That are being made; none where they cannot be.
+    std::size_t missing_maps() const { return maker_ ? missing_maps_ : 0; }
     bool is_making_maps() const { return maker_ != nullptr; }
 
     const render::GBuffer& g_buffer() const { return *g_buffer_; }

@@ -12,10 +12,13 @@
 #include "ui/language/language.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace ghost::ui {
 namespace {
+
+constexpr float kLowestTruss_m = 2; // what lies lower is a rail or a pipe on the floor
 
 // Who reads the file reads "5.75", not "5.7499995".
 glm::vec3 in_millimetres(const glm::vec3& place_m) {
@@ -152,6 +155,23 @@ Result<void> hang(AppModel& app, ShowDocument& document, const QString& pattern)
                                        : "'" + pattern.toStdString() + "' is no truss or pipe that lies",
                      ""};
     return hang_under(app, document, of_bar[*nearest]);
+}
+
+glm::vec3 place_above(const std::vector<Object>& objects, const glm::vec3& floor_m, float lowest_m) {
+    std::vector<scene::Bar> pieces, on_plan; // what is above what counts for nothing there
+    for (const Object& object : objects) {
+        if (!object.bar || !object.shown || !scene::is_slender(*object.bar) ||
+            std::min(object.bar->from_m.z, object.bar->to_m.z) < kLowestTruss_m)
+            continue;
+        pieces.push_back(*object.bar);
+        on_plan.push_back(*object.bar);
+        on_plan.back().from_m.z = on_plan.back().to_m.z = 0;
+    }
+    const glm::vec3 at_m(floor_m.x, floor_m.y, 0);
+    const std::optional<std::size_t> nearest = scene::nearest_bar(on_plan, at_m);
+    if (!nearest) return in_millimetres({floor_m.x, floor_m.y, std::max(floor_m.z, lowest_m)});
+    return in_millimetres(
+        scene::places_under(scene::joined(pieces[*nearest], pieces), std::array{at_m}).front());
 }
 
 Result<void> fly_on_hoists(AppModel& app, ShowDocument& document, std::size_t object) {

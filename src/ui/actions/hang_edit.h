@@ -16,6 +16,10 @@ Result<void> hang_under(AppModel& app, ShowDocument& document, std::size_t objec
 // Under the truss nearest to them; pattern: of the objects called so, if it is not empty.
 Result<void> hang(AppModel& app, ShowDocument& document, const QString& pattern);
 
+// For a new fixture: under the truss or pipe above a place of the floor, or the nearest one beside it; where
+// there is none, at least at lowest_m.
+glm::vec3 place_above(const std::vector<Object>& objects, const glm::vec3& floor_m, float lowest_m);
+
 // The truss with all its pieces and what hangs under it, on hoists a fifth from its ends, at a free address.
 // object: of Opened::objects.
 Result<void> fly_on_hoists(AppModel& app, ShowDocument& document, std::size_t object);

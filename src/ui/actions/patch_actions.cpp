@@ -2,7 +2,9 @@
 #include "ui/actions/patch_actions.h"
 
 #include "dmx/wire/universes.h"
+#include "show/camera_moves.h"
 #include "show/show.h"
+#include "ui/actions/hang_edit.h"
 #include "ui/language/language.h"
 
 namespace ghost::ui {
@@ -10,6 +12,7 @@ namespace {
 
 constexpr const char* kModels =
     QT_TRANSLATE_NOOP("Files", "Models (*.glb *.gltf *.obj *.3ds);;All files (*)");
+constexpr float kLowestHead_m = 3; // of a new one where nothing carries it
 
 Result<glm::vec3> vector_of(const QStringList& words, const char* what, double most) {
     glm::vec3 numbers{0};
@@ -95,11 +98,18 @@ void add_patch_actions(Actions& actions, AppModel& app, ShowDocument& document) 
     add("unpatch", translated("Action", "Unpatch"), "", "", [](PatchEdit& edit, const QStringList&) {
         return edit.set_address({1, 0});
     });
-    add("add-fixture", translated("Action", "Add a fixture..."), "", "FILE",
-        [&app](PatchEdit& edit, const QStringList& words) {
-            glm::vec3 place_m = app.camera().target_m;
-            place_m.z = std::max(place_m.z, 3.0f);
-            return edit.add(words[0].toStdString(), place_m);
+    add("add-fixture", translated("Action", "Add a fixture..."), "", "FILE [X Y]",
+        [&app](PatchEdit& edit, const QStringList& words) -> Result<void> {
+            const scene::Camera& camera = app.camera();
+            glm::vec3 floor_m =
+                scene::floor_along(camera, glm::normalize(camera.target_m - camera.position_m));
+            for (int axis = 0; words.size() > 1 && axis < 2; ++axis) {
+                TRY(const double metres,
+                    number_of(words, axis + 1, "metres", -scene::kMaxCoordinate_m, scene::kMaxCoordinate_m));
+                floor_m[axis] = static_cast<float>(metres);
+            }
+            return edit.add(words[0].toStdString(),
+                            place_above(app.opened().objects, floor_m, kLowestHead_m));
         },
         {translated("Files", "Add a fixture"),
          translated("Files", "Fixtures (*.gdtf *.qxf *.json);;All files (*)"), ""});

@@ -357,6 +357,17 @@ Result<void> PatchEdit::set_plot(const fs::path& file) {
     return set_file(translated("Undo", "'%1' is the plot").arg(name_of(file)), "plot", file);
 }
 
+// Of what a desk sends its channels are zeros, and it would hang turned to its stops, dark, until the desk
+// knows it. Where nothing is sent it is at its defaults.
+std::optional<fixture::Address> PatchEdit::address_for_new(int footprint) const {
+    const std::vector<fixture::Patch> patched = patches();
+    const auto first = fixture::find_free_address(patched, footprint, {1, 1});
+    auto free = first;
+    while (free && app_.rig().universes.find(static_cast<std::uint16_t>(free->universe)))
+        free = fixture::find_free_address(patched, footprint, {free->universe + 1, 1});
+    return free ? free : first;
+}
+
 Result<void> PatchEdit::add(const fs::path& file, const glm::vec3& position_m) {
     TRY_VOID(document_.check_editable());
     TRY(const fixture::LoadedType loaded, fixture::load_type(file));
@@ -369,8 +380,8 @@ Result<void> PatchEdit::add(const fs::path& file, const glm::vec3& position_m) {
     std::erase_if(name,
                   [](char letter) { return std::string("/\\:*?\"<>|").find(letter) != std::string::npos; });
     made.keys.name = next_name((name.empty() ? "Fixture" : name.substr(0, 80)) + " 0", taken);
-    made.keys.address = fixture::find_free_address(patches(), fixture::footprint_of(loaded.type, 0), {1, 1})
-                            .value_or(fixture::Address{1, 0});
+    made.keys.address =
+        address_for_new(fixture::footprint_of(loaded.type, 0)).value_or(fixture::Address{1, 0});
     made.keys.position_m = position_m;
     TRY(std::string text, scene::add_fixture(document_.text(), made));
     const auto of_file = static_cast<std::size_t>(

@@ -66,6 +66,7 @@ private:
     template <class F>
     Result<void> edit_each(const QString& what, F&& f);
     std::vector<fixture::Patch> patches() const;
+    std::optional<fixture::Address> address_for_new(int footprint) const;
     // The path as the show writes it; a file from elsewhere is copied beside the show.
     Result<std::string> beside_show(const std::filesystem::path& file, std::uintmax_t most_bytes) const;
     Result<void> set_file(const QString& what, const std::string& key, const std::filesystem::path& file);

@@ -124,6 +124,9 @@ constexpr const char* kSentences[] = {
     QT_TRANSLATE_NOOP("Sentence", "the dimmer on %1 of function %2, that is %3; so is %4"),
     QT_TRANSLATE_NOOP("Sentence", "the dimmer on %1 of function %2, that is %3; so are %4"),
     QT_TRANSLATE_NOOP("Sentence", "the dimmer on %1 of function %2, that is %3"),
+    QT_TRANSLATE_NOOP("Sentence", "no channel of its file dims it: hands alone light it"),
+    QT_TRANSLATE_NOOP("Sentence",
+                      "stand-in optics of 10000 lm and 25 degrees: its file says nothing of its own"),
     QT_TRANSLATE_NOOP("Sentence", "the dimmer (%1) is still on its way: it gives %2, asked is %3"),
     QT_TRANSLATE_NOOP("Sentence", "all dimmers together (%1) give %2"),
     QT_TRANSLATE_NOOP("Sentence", "its dimmer is %1: it has no DMX channel, the desk works it into %2"),
@@ -174,6 +177,8 @@ constexpr const char* kSentences[] = {
     QT_TRANSLATE_NOOP("Sentence", "their dimmer is nearly at 0"),
     QT_TRANSLATE_NOOP("Sentence", "their dimmer is still on its way"),
     QT_TRANSLATE_NOOP("Sentence", "their dimmer is virtual"),
+    QT_TRANSLATE_NOOP("Sentence", "hands alone light them: no channel of their file dims them"),
+    QT_TRANSLATE_NOOP("Sentence", "their optics are a stand-in"),
     QT_TRANSLATE_NOOP("Sentence", "their shutter is closed"),
     QT_TRANSLATE_NOOP("Sentence", "their strobe is between two flashes"),
     QT_TRANSLATE_NOOP("Sentence", "their colours let next to nothing through"),
@@ -563,6 +568,7 @@ constexpr const char* kSentences[] = {
     QT_TRANSLATE_NOOP("Sentence", "cannot be read"),
     QT_TRANSLATE_NOOP("Sentence", "gives no light"),
     QT_TRANSLATE_NOOP("Sentence", "says nothing of its light: a beam is assumed"),
+    QT_TRANSLATE_NOOP("Sentence", "says nothing of its light: hands alone light a stand-in"),
     QT_TRANSLATE_NOOP("Sentence", "%1 fixtures of %2 types, patched in %3 universes"),
     QT_TRANSLATE_NOOP("Sentence", "%1 fixtures of %2 types, patched in %3 universe"),
     QT_TRANSLATE_NOOP("Sentence", "%1 fixtures of %2 type, patched in %3 universes"),
@@ -618,6 +624,11 @@ constexpr const char* kSentences[] = {
     QT_TRANSLATE_NOOP("Sentence", "%1 fixtures of one type share address %2 and will do the same: %3"),
     QT_TRANSLATE_NOOP("Sentence", "%1 fixtures of %2 give no light, as the mode has no beam: %3"),
     QT_TRANSLATE_NOOP("Sentence", "%1 fixture of %2 gives no light, as the mode has no beam: %3"),
+    QT_TRANSLATE_NOOP("Sentence", "%1 fixtures of %2 have stand-in optics, which hands alone light, as the "
+                                  "mode has no beam: %3"),
+    QT_TRANSLATE_NOOP("Sentence",
+                      "%1 fixture of %2 has stand-in optics, which hands alone light, as the mode "
+                      "has no beam: %3"),
     QT_TRANSLATE_NOOP("Sentence",
                       "'%1' and '%2' share channels %3 to %4 of universe %5, expected channels of their own"),
     // what files of plots and fixtures lack
@@ -627,6 +638,16 @@ constexpr const char* kSentences[] = {
     QT_TRANSLATE_NOOP("Sentence", "mesh '%1' is not in the archive"),
     QT_TRANSLATE_NOOP("Sentence", "gobo '%1' is not in the archive"),
     QT_TRANSLATE_NOOP("Sentence", "no Beam or Laser geometry in mode '%1': it gives no light"),
+    QT_TRANSLATE_NOOP(
+        "Sentence", "no Beam or Laser geometry in mode '%1': taking one of 10000 lm and 25 degrees at '%2', "
+                    "which hands alone light, as its channels have numbers for names"),
+    QT_TRANSLATE_NOOP("Sentence", "%1 fixtures are left out, more than 10 km from most of the plot: no "
+                                  "picture holds both: %2"),
+    QT_TRANSLATE_NOOP("Sentence", "%1 fixture is left out, more than 10 km from most of the plot: no picture "
+                                  "holds both: %2"),
+    QT_TRANSLATE_NOOP("Sentence", "objects more than 10 km from most of the plot are left out: %1"),
+    QT_TRANSLATE_NOOP("Sentence",
+                      "is no show: a folder with a show.toml, a show.toml, or a plot (.mvr) can be opened"),
     QT_TRANSLATE_NOOP("Sentence", "objects with edges of more than two triangles, of which none is inside or "
                                   "outside; they are drawn as they are: %1"),
     QT_TRANSLATE_NOOP("Sentence", "objects with triangles that have no area; those are not seen: %1"),

@@ -89,6 +89,10 @@ std::vector<FixtureGroup> dark_groups_of(const std::vector<Verdict>& verdicts) {
     return all;
 }
 
+bool can_shine(const scene::PatchedFixture& fixture) {
+    return fixture.type && !fixture.patch().mode_of().beams.empty();
+}
+
 std::vector<FixtureGroup> without_optics(const scene::Show& show) {
     Groups files;
     for (std::size_t i = 0; i < show.fixtures.size(); ++i)

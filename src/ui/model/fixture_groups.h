@@ -22,6 +22,8 @@ std::vector<FixtureGroup> groups_of(const scene::Show& show, const std::vector<O
 std::vector<FixtureGroup> dark_groups_of(const std::vector<Verdict>& verdicts);
 // Fixtures that shine by a beam that was assumed, for their file has none, or not at all, for it cannot be
 // read, by the file that a [[substitute]] would be for.
+// It has a beam, of its own or an assumed one.
+bool can_shine(const scene::PatchedFixture& fixture);
 std::vector<FixtureGroup> without_optics(const scene::Show& show);
 
 } // namespace ghost::ui

@@ -105,7 +105,9 @@ FixturePanel::FixturePanel(AppModel& app, ShowDocument& document, QWidget* paren
     table_->setSelectionBehavior(QAbstractItemView::SelectRows);
     table_->setAlternatingRowColors(true);
     table_->setShowGrid(false);
-    table_->setTextElideMode(Qt::ElideMiddle); // numbers that tell lamps apart stand at the end
+    // Numbers that tell lamps apart stand at the end, where one line of wrapped words would end before them.
+    table_->setTextElideMode(Qt::ElideMiddle);
+    table_->setWordWrap(false);
     table_->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed);
     table_->setItemDelegate(new CellPainter(table_));
     table_->setItemDelegateForColumn(FixtureList::mode, new ModeDelegate(app, table_));

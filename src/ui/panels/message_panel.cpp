@@ -72,12 +72,15 @@ void MessagePanel::go_to(const QTreeWidgetItem& item) {
 void MessagePanel::refresh() {
     std::vector<scene::Finding> findings;
     // Of a show that could not be opened, however long ago: the newest thing first.
+    static const QRegularExpression kInFile(":\\d+$"); // a line of it is wrong
     if (const auto& error = app_.open_error())
         findings.push_back({.severity = Severity::error,
                             .kind = "not_opened",
                             .where = error->where,
                             .what = "Not opened: " + error->what,
-                            .advice = "mend the file and open it again"});
+                            .advice = QString::fromStdString(error->where).contains(kInFile)
+                                          ? "mend the file and open it again"
+                                          : ""});
     for (const Message& message : app_.messages()) findings.push_back(scene::finding_of(message));
     list_->clear();
     for (const scene::FindingGroup& group : scene::grouped(findings)) {

@@ -9,8 +9,11 @@
 #include <QHeaderView>
 #include <QHelpEvent>
 #include <QPainter>
+#include <QScrollBar>
 #include <QToolTip>
 #include <QVBoxLayout>
+
+#include <algorithm>
 
 namespace ghost::ui {
 namespace {
@@ -126,6 +129,7 @@ bool UniverseGrid::event(QEvent* event) {
 
 // Beside each other where both have room to be read.
 void NetworkPanel::resizeEvent(QResizeEvent*) {
+    fit_sentences();
     const bool is_wide = 4 * width() > 7 * grid_->minimumWidth();
     const Qt::Orientation wanted = is_wide ? Qt::Horizontal : Qt::Vertical;
     if (halves_->orientation() == wanted) return;
@@ -138,7 +142,15 @@ NetworkPanel::NetworkPanel(AppModel& app, Actions& actions, QWidget* parent) : Q
     diagnosis_->setWordWrap(true);
     diagnosis_->setTextFormat(Qt::RichText);
     diagnosis_->setTextInteractionFlags(Qt::TextSelectableByMouse);
-    diagnosis_->hide();
+    diagnosis_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+    sentences_ = new QScrollArea(this);
+    sentences_->setFrameShape(QFrame::NoFrame);
+    sentences_->setWidgetResizable(true);
+    sentences_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    sentences_->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
+    sentences_->setAccessibleName(translated("Network", "What is wrong"));
+    sentences_->setWidget(diagnosis_);
+    sentences_->hide();
     summary_ = new QLabel(translated("Network", "Nothing has come from the network yet."), this);
     summary_->setWordWrap(true);
     sources_ = new QTableWidget(0, kSourceColumns, this);
@@ -176,7 +188,7 @@ NetworkPanel::NetworkPanel(AppModel& app, Actions& actions, QWidget* parent) : Q
     halves_->setSizes({400, 600}); // the grid would like to have it all
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(6, 6, 6, 6);
-    layout->addWidget(diagnosis_);
+    layout->addWidget(sentences_);
     layout->addWidget(halves_, 1);
     connect(&app_, &AppModel::network_came, this, &NetworkPanel::refresh);
     connect(&app_, &AppModel::rig_came, this, &NetworkPanel::refresh_universes);
@@ -200,8 +212,20 @@ void NetworkPanel::refresh_diagnosis() {
         const QString colour = (sentence.is_problem ? bad() : faint()).name();
         text += QString("<p style='margin:2px; color:%1'>%2</p>").arg(colour, words);
     }
+    if (text == diagnosis_->text()) return; // who reads on is not taken back to its beginning
     diagnosis_->setText(text);
-    diagnosis_->setVisible(!text.isEmpty());
+    sentences_->setVisible(!text.isEmpty());
+    fit_sentences();
+}
+
+// As high as they are, but the levels below stay in sight, of which they speak; the rest is scrolled to.
+void NetworkPanel::fit_sentences() {
+    constexpr int kLeastLines = 2, kShareOfPanel = 5;
+    const int most_px = std::max(kLeastLines * fontMetrics().lineSpacing() + 8, height() / kShareOfPanel);
+    const int bar_px = sentences_->verticalScrollBar()->sizeHint().width();
+    const int margins_px = layout()->contentsMargins().left() + layout()->contentsMargins().right();
+    const int width_px = std::max(width() - margins_px - bar_px, 1);
+    sentences_->setFixedHeight(std::clamp(diagnosis_->heightForWidth(width_px), 0, most_px));
 }
 
 void NetworkPanel::refresh_sources() {

@@ -8,6 +8,7 @@
 
 #include <QComboBox>
 #include <QLabel>
+#include <QScrollArea>
 #include <QSplitter>
 #include <QTableWidget>
 #include <QWidget>
@@ -53,11 +54,13 @@ protected:
 private:
     void refresh();
     void refresh_diagnosis();
+    void fit_sentences();
     void refresh_sources();
     void refresh_universes();
 
     AppModel& app_;
     QLabel* diagnosis_;
+    QScrollArea* sentences_; // of it
     QLabel* summary_;
     QTableWidget* sources_;
     QComboBox* universes_;

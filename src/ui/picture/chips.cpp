@@ -9,7 +9,9 @@
 #include <QFontMetricsF>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
+#include <vector>
 
 namespace ghost::ui {
 namespace {
@@ -22,9 +24,26 @@ QString clock_of(double seconds) {
     return QString("%1:%2").arg(whole / 60).arg(whole % 60, 2, 10, QChar('0'));
 }
 
+// A look that is only held must not pass for one that a desk sends.
+Chip of_desk(const std::vector<dmx::Universe>& universes) {
+    std::chrono::nanoseconds newest{0};
+    int lost = 0;
+    for (const dmx::Universe& universe : universes) {
+        lost += universe.lost ? 1 : 0;
+        newest = std::max(newest, universe.arrival);
+    }
+    if (lost == 0) return {translated("Chips", "LIVE DESK"), good()};
+    if (lost < static_cast<int>(universes.size()))
+        return {translated("Chips", "LIVE DESK, %n universe(s) silent", nullptr, lost), accent()};
+    const auto silent = std::chrono::steady_clock::now().time_since_epoch() - newest;
+    return {
+        translated("Chips", "DESK SILENT %1 s").arg(std::chrono::floor<std::chrono::seconds>(silent).count()),
+        bad()};
+}
+
 Chip of_input(const AppModel& app) {
     const RigNow& rig = app.rig();
-    if (rig.from_desk && !rig.universes.list.empty()) return {translated("Chips", "LIVE DESK"), good()};
+    if (rig.from_desk && !rig.universes.list.empty()) return of_desk(rig.universes.list);
     if (rig.recording_s > 0) return {translated("Chips", "REC %1").arg(clock_of(rig.at_s)), {}};
     return {translated("Chips", "NO DESK YET"), {}};
 }

@@ -165,6 +165,12 @@ void View::paintEvent(QPaintEvent*) {
     }
 }
 
+QStringList View::chip_words() const {
+    QStringList words;
+    for (const Chip& chip : chips_of(app_)) words << chip.text;
+    return words;
+}
+
 Result<void> View::begin_wipe(double share) {
     if (!app_.picture().image) return Error{"there is no picture yet", ""};
     if (!wipe_.is_on()) wipe_.keep(app_.picture());

@@ -37,6 +37,10 @@ public:
     const Figures& figures() const { return figures_; }
     void reset_figures() { figures_.reset(); }
     double paint_ms() const { return paint_ms_; }
+    // What the chips say, from left to right.
+    QStringList chip_words() const;
+    // Of the stage, under the mouse when it is there.
+    glm::vec3 floor_at(const QPointF& place) const;
     // Measures there from now on, until the mouse moves.
     void probe_at(const QPointF& place);
     void end_probe();

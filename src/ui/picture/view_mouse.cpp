@@ -33,6 +33,10 @@ glm::vec3 View::way_of_mouse(const QPointF& place) const {
          static_cast<float>((place.y() - picture.top()) / std::max(picture.height(), 1.0))});
 }
 
+glm::vec3 View::floor_at(const QPointF& place) const {
+    return scene::floor_along(camera_of_picture(), way_of_mouse(place));
+}
+
 std::optional<std::size_t> View::lamp_at(const QPointF& place) const {
     return fixture_at(rect_of_picture(), camera_of_picture(), app_.rig(), place);
 }

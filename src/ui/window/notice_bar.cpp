@@ -60,15 +60,22 @@ NoticeBar::NoticeBar(Actions& actions, ShowDocument& document, AppModel& app, QW
 }
 
 void NoticeBar::say_without_optics() {
-    if (isVisible() || !document_.can_edit()) return;
-    std::size_t heads = 0;
-    for (const FixtureGroup& group : without_optics(*app_.show())) heads += group.fixtures.size();
-    if (heads > 0)
-        ask(translated("Notice",
-                       "%n head(s) have no optics in their files: what is seen of their light is assumed.",
-                       nullptr, heads),
-            {{translated("Notice", "What this plot has"), "panel-plot on"},
-             {translated("Notice", "Close"), ""}});
+    if (isVisible()) return;
+    std::size_t dark = 0, assumed = 0;
+    for (const FixtureGroup& group : without_optics(*app_.show()))
+        for (const std::size_t index : group.fixtures)
+            ++(can_shine(app_.show()->fixtures[index]) ? assumed : dark);
+    QStringList words;
+    if (dark > 0)
+        words << translated("Notice", "%n head(s) have no optics and stay dark until another file stands in.",
+                            nullptr, dark);
+    if (assumed > 0)
+        words << translated(
+            "Notice", "%n head(s) have no optics in their files: what is seen of their light is assumed.",
+            nullptr, assumed);
+    if (!words.isEmpty())
+        ask(words.join(' '), {{translated("Notice", "Other files for them..."), "panel-plot on"},
+                              {translated("Notice", "Close"), ""}});
 }
 
 void NoticeBar::say_not_opened() {

@@ -170,6 +170,8 @@ QJsonObject state_json(const AppModel& app, const View& view) {
                           {"found", found},
                           {"messages", static_cast<qint64>(app.rdm().messages)},
                           {"identify", identify}};
+    QJsonArray chips;
+    for (const QString& words : view.chip_words()) chips.append(words);
     QJsonArray palettes;
     for (const scene::Palette& palette : show.palettes) palettes.append(QString::fromStdString(palette.name));
     QJsonArray diagnosis;
@@ -199,6 +201,7 @@ QJsonObject state_json(const AppModel& app, const View& view) {
             {"timecode", QString::fromStdString(app.rig().timecode)},
             {"recorded", QString::fromStdString(app.recorded().file)},
             {"from_desk", app.rig().from_desk},
+            {"chips", chips},
             {"universes", universes},
             {"view", QJsonArray{corner.x(), corner.y(), view.width(), view.height()}},
             {"frame", QJsonArray{frame.x(), frame.y(), frame.width(), frame.height()}},

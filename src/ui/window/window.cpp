@@ -14,6 +14,7 @@
 #include "ui/actions/show_actions.h"
 #include "ui/actions/tone_actions.h"
 #include "ui/language/language.h"
+#include "ui/model/fixture_groups.h"
 #include "ui/model/shortened.h"
 #include "ui/panels/air_panel.h"
 #include "ui/panels/browser_panel.h"
@@ -422,10 +423,19 @@ void Window::say_done(const Action& action, bool made_step) {
 void Window::say_hand_taken() {
     const std::size_t count = app_.look().fixtures.size();
     const bool has_hand = count > 0;
-    if (has_hand && !had_hand_ && !app_.fades())
-        toast_->say(translated("Notice", "By hand now: %1. R gives back what is selected, Shift+R all")
-                        .arg(words_of(app_.look())),
-                    [this] { actions_.choose("undo"); });
+    if (has_hand && !had_hand_ && !app_.fades()) {
+        const auto dark =
+            std::count_if(app_.look().fixtures.begin(), app_.look().fixtures.end(), [this](const auto& one) {
+                return one.first < app_.show()->fixtures.size() &&
+                       !can_shine(app_.show()->fixtures[one.first]);
+            });
+        QString words = words_of(app_.look());
+        if (dark > 0)
+            words = translated("Notice", "%1, of which %2 have no optics and stay dark").arg(words).arg(dark);
+        toast_->say(
+            translated("Notice", "By hand now: %1. R gives back what is selected, Shift+R all").arg(words),
+            [this] { actions_.choose("undo"); });
+    }
     had_hand_ = has_hand;
 }
 
@@ -550,12 +560,15 @@ void Window::dragEnterEvent(QDragEnterEvent* event) {
 
 void Window::dropEvent(QDropEvent* event) {
     event->acceptProposedAction();
+    const QPoint at = view_->mapFrom(this, event->position().toPoint());
+    std::optional<glm::vec3> floor_m;
+    if (app_.show() && view_->rect().contains(at)) floor_m = view_->floor_at(at);
     for (const QUrl& url : event->mimeData()->urls())
-        if (url.isLocalFile()) take_file(url.toLocalFile());
+        if (url.isLocalFile()) take_file(url.toLocalFile(), floor_m);
 }
 
 // Of an open show a fixture, a model or a plot becomes a part; all else is opened.
-void Window::take_file(const QString& file) {
+void Window::take_file(const QString& file, const std::optional<glm::vec3>& floor_m) {
     const QString ending = QFileInfo(file).suffix().toLower();
     const bool is_fixture = ending == "gdtf" || ending == "qxf" || (ending == "json" && app_.show());
     const bool is_model_file = is_model(file.toStdString());
@@ -570,7 +583,9 @@ void Window::take_file(const QString& file) {
         app_.open(file.toStdString());
         return;
     }
-    actions_.choose(action + " \"" + file + "\"");
+    QString line = action + " " + quoted(file);
+    if (is_fixture && floor_m) line += QString(" %1 %2").arg(floor_m->x).arg(floor_m->y);
+    actions_.choose(line);
 }
 
 } // namespace ghost::ui

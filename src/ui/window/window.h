@@ -51,7 +51,8 @@ protected:
     void dropEvent(QDropEvent*) override;
 
 private:
-    void take_file(const QString& file);
+    // floor_m: where it was dropped on the picture.
+    void take_file(const QString& file, const std::optional<glm::vec3>& floor_m);
     QDockWidget* add_panel(const QString& name, const QString& title, QWidget* panel,
                            Qt::DockWidgetArea area);
     void add_panels();

@@ -49,6 +49,29 @@ TEST(FixturePanel, enter_in_the_search_selects_what_it_found) {
     EXPECT_EQ(desk.app.selection(), (std::set<std::size_t>{1}));
 }
 
+// Of names that are too long the end is seen, which tells lamps of one kind apart.
+TEST(FixturePanel, names_that_do_not_fit_lose_their_middle) {
+    Desk desk;
+    FixturePanel panel(desk.app, desk.document, nullptr);
+    desk.open();
+    desk.app.select({0, 1});
+    ASSERT_TRUE(desk.edit.rename("Robe ColorWash 2500 AT Standard 1").ok());
+    desk.follow();
+    desk.app.select({});
+    panel.resize(320, 300);
+    panel.show();
+    settle();
+    auto* table = panel.findChild<QTableView*>();
+    table->setAlternatingRowColors(false);
+    const auto name = [&](int row) {
+        const QRect cell = table->visualRect(table->model()->index(row, FixtureList::name));
+        return table->viewport()->grab(cell).toImage();
+    };
+    ASSERT_LT(table->columnWidth(FixtureList::name),
+              table->fontMetrics().horizontalAdvance(table->model()->index(0, 0).data().toString()));
+    EXPECT_NE(name(0), name(1)) << "1 is not 2";
+}
+
 // The first of its clicks alone leaves one row selected.
 TEST(FixturePanel, a_double_click_edits_all_that_were_selected) {
     Desk desk;

@@ -3,6 +3,7 @@
 #include "support/test_window.h"
 
 #include "ui/panels/network_panel.h"
+#include "ui/widgets/panel_area.h"
 
 namespace ghost::ui {
 namespace {
@@ -26,6 +27,45 @@ TEST(NetworkPanel, a_narrow_one_has_its_halves_one_above_the_other) {
     panel.resize(1200, 400);
     settle();
     EXPECT_LT(sources->width(), 700);
+}
+
+// In the panel below the picture of a small laptop.
+TEST(NetworkPanel, however_much_is_wrong_the_levels_are_in_sight) {
+    Bench bench;
+    bench.open();
+    QWidget window;
+    Actions actions(window);
+    auto* panel = new NetworkPanel(bench.app, actions, nullptr);
+    PanelArea area(panel, nullptr);
+    area.resize(1000, 260); // 1366x768, less the list beside it
+    area.show();
+    settle();
+    const auto* grid = panel->findChild<UniverseGrid*>();
+    const auto is_in_sight = [&] {
+        return area.viewport()->rect().contains(
+            QRect(grid->mapTo(area.viewport(), QPoint(0, 0)), grid->size()));
+    };
+    EXPECT_TRUE(is_in_sight());
+    dmx::Statistics statistics; // nothing arrives, and much is to be said about why
+    statistics.time = std::chrono::seconds(60);
+    for (int k = 0; k < 12; ++k) {
+        dmx::NetInterface one;
+        one.name = "eth" + std::to_string(k);
+        one.address = 0x0A000001 + (static_cast<std::uint32_t>(k) << 8);
+        one.netmask = 0xFFFFFF00;
+        one.running = true;
+        statistics.interfaces.push_back(one);
+    }
+    bench.link.network.put(std::move(statistics));
+    bench.link.on_news();
+    settle();
+    ASSERT_FALSE(bench.app.diagnosis().empty());
+    const auto* sentences = panel->findChild<QScrollArea*>();
+    ASSERT_TRUE(sentences && sentences->isVisible());
+    const auto* label = sentences->findChild<QLabel*>();
+    EXPECT_GT(label->height(), sentences->height()) << "it is scrolled";
+    EXPECT_GE(sentences->height(), 2 * label->fontMetrics().height());
+    EXPECT_TRUE(is_in_sight());
 }
 
 } // namespace

@@ -75,6 +75,22 @@ TEST(Hang, what_is_no_truss_is_said_and_nothing_moves) {
     EXPECT_FALSE(stage.app.undo_stack().canUndo());
 }
 
+TEST(Hang, a_new_lamp_hangs_under_the_truss_above_the_place_that_is_looked_at) {
+    Stage stage;
+    const std::vector<Object>& objects = stage.app.opened().objects;
+    EXPECT_EQ(place_above(objects, {-1, 1, 0}, 3), glm::vec3(-1, 0, 6));
+    EXPECT_EQ(place_above(objects, {-1.23456f, 7, 0}, 3), glm::vec3(-1.235f, 8, 5.5f));
+    EXPECT_EQ(place_above(objects, {9, 1, 0}, 3), glm::vec3(2, 0, 6)) << "its end, of both pieces";
+    EXPECT_EQ(place_above({objects[3], objects[4]}, {-1, 1, 0}, 3), glm::vec3(-1, 1, 3))
+        << "neither a tower nor a wall carries it";
+    std::vector<Object> floor(1);
+    floor[0].bar = scene::Bar{{-4, 1, 0.5f}, {4, 1, 0.5f}, 0.1f};
+    EXPECT_EQ(place_above(floor, {-1, 1, 0}, 3), glm::vec3(-1, 1, 3)) << "a rail";
+    std::vector<Object> hidden(1, objects[0]);
+    hidden[0].shown = false;
+    EXPECT_EQ(place_above(hidden, {-1, 1, 0}, 3), glm::vec3(-1, 1, 3));
+}
+
 TEST(Hang, the_scene_panel_offers_it_for_what_lies) {
     Stage stage;
     ScenePanel of_stage(stage.app, nullptr);

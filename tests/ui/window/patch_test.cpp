@@ -86,6 +86,29 @@ TEST(Patch, what_cannot_be_done_is_said_and_not_done) {
     EXPECT_FALSE(desk.app.undo_stack().canUndo());
 }
 
+// Zeros of a desk that does not know it would turn it to its stops.
+TEST(Patch, a_new_one_gets_an_address_in_a_universe_that_nobody_sends) {
+    Desk desk;
+    desk.open();
+    const fs::path file = fs::path(GHOST_SOURCE_DIR) / "assets/fixtures/Vari-Lite@VL2500_Spot.gdtf";
+    ASSERT_TRUE(desk.edit.add(file, {1, 2, 5}).ok());
+    desk.follow();
+    EXPECT_EQ(std::pair(desk.fixture(3).universe, desk.fixture(3).address), std::pair(1, 49))
+        << "none is sent";
+    desk.app.undo_stack().undo();
+    desk.follow();
+    RigNow rig;
+    rig.universes.at(1);
+    rig.universes.at(2);
+    desk.link.rig.put(std::move(rig));
+    desk.link.on_news();
+    settle();
+    ASSERT_TRUE(desk.edit.add(file, {1, 2, 5}).ok());
+    desk.follow();
+    EXPECT_EQ(std::pair(desk.fixture(3).universe, desk.fixture(3).address), std::pair(3, 1));
+    EXPECT_EQ(desk.fixture(3).position_m, glm::vec3(1, 2, 5));
+}
+
 TEST(Patch, a_model_becomes_the_stage_and_a_plot_the_plot) {
     Desk desk;
     QTemporaryDir elsewhere;

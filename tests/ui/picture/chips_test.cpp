@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+// The chips over the picture: where its levels come from, and whether they still do.
+#include "support/test_window.h"
+#include "ui/picture/private/chips.h"
+#include "ui/widgets/theme.h"
+
+namespace ghost::ui {
+namespace {
+
+struct Heard : Bench {
+    Heard() { open(); }
+    // Universes 1, 2 ... each silent for so many seconds; below 0: it is sent.
+    Chip of(const std::vector<int>& silent_s) {
+        RigNow rig = four_lit();
+        rig.from_desk = true;
+        const auto now = std::chrono::steady_clock::now().time_since_epoch();
+        for (const int seconds : silent_s) {
+            dmx::Universe& universe =
+                rig.universes.at(static_cast<std::uint16_t>(rig.universes.list.size() + 1));
+            universe.lost = seconds >= 0;
+            universe.arrival = now - std::chrono::seconds(std::max(seconds, 0));
+        }
+        link.rig.put(std::move(rig));
+        link.on_news();
+        settle();
+        return chips_of(app).front();
+    }
+};
+
+TEST(Chips, a_desk_that_sends_no_more_is_told_from_one_that_does) {
+    Heard heard;
+    EXPECT_EQ(heard.of({}).text, "NO DESK YET");
+    EXPECT_EQ(heard.of({-1, -1}).text, "LIVE DESK");
+    EXPECT_EQ(heard.of({-1, -1}).ground, good());
+    const Chip silent = heard.of({40, 12});
+    EXPECT_EQ(silent.text, "DESK SILENT 12 s") << "since the newest packet";
+    EXPECT_EQ(silent.ground, bad());
+    const Chip in_part = heard.of({-1, 12, 13});
+    EXPECT_EQ(in_part.text, "LIVE DESK, 2 universes silent");
+    EXPECT_NE(in_part.ground, good());
+}
+
+} // namespace
+} // namespace ghost::ui
