@@ -43,8 +43,8 @@ constexpr Film kFilms[] = {
     {"high", 640, 360, true, false},  {"close", 1280, 720, true, true},  {"house", 1280, 720, true, true},
     {"high", 1280, 720, true, true},  {"close", 1280, 720, true, false}, {"close", 1280, 720, false, false}};
 
-// At the fewest pixels of a window of 1280x760, as many lights as there is time for; likewise with as many pixels
-// as points of light.
+// At the fewest pixels of a window of 1280x760, as many lights as there is time for; likewise with as many
+// pixels as points of light.
 constexpr Film kFestivals[] = {{"wide", 350, 235, true, true, 8, "festival of "},
                                {"wide", 250, 168, true, false, 8, "festival of "}};
 
