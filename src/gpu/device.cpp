@@ -115,6 +115,10 @@ void Device::make_workers(const DeviceOptions& options) {
             return;
         }
         worker->make_device(same);
+        if (!memory_->can_share_with(*worker)) {
+            workers_.clear();
+            return;
+        }
         if (!options.shaders.empty()) worker->shaders_ = std::make_unique<ShaderFolder>(options.shaders);
         workers_.push_back(std::move(worker));
     }

@@ -74,8 +74,9 @@ VkDeviceMemory DeviceMemory::allocate(const VkMemoryRequirements& needs, VkMemor
     return memory;
 }
 
-VkDeviceMemory DeviceMemory::share(void* memory, std::uint64_t bytes) const {
-    CHECK(memory != nullptr && reinterpret_cast<std::uintptr_t>(memory) % kPageBytes == 0);
+namespace {
+
+VkResult import_memory(const Device& worker, void* memory, std::uint64_t bytes, VkDeviceMemory& shared) {
     VkImportMemoryHostPointerInfoEXT import{};
     import.sType = VK_STRUCTURE_TYPE_IMPORT_MEMORY_HOST_POINTER_INFO_EXT;
     import.handleType = VK_EXTERNAL_MEMORY_HANDLE_TYPE_HOST_ALLOCATION_BIT_EXT;
@@ -84,8 +85,33 @@ VkDeviceMemory DeviceMemory::share(void* memory, std::uint64_t bytes) const {
     info.sType = VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO;
     info.pNext = &import;
     info.allocationSize = (bytes + kPageBytes - 1) / kPageBytes * kPageBytes;
+    return vkAllocateMemory(worker.handle(), &info, nullptr, &shared);
+}
+
+bool is_on_pages(const void* memory) {
+    return memory && reinterpret_cast<std::uintptr_t>(memory) % kPageBytes == 0;
+}
+
+} // namespace
+
+bool DeviceMemory::can_share_with(const Device& worker) const {
+    VkMemoryAllocateInfo info{};
+    info.sType = VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO;
+    info.allocationSize = kPageBytes;
+    VkDeviceMemory memory = VK_NULL_HANDLE, shared = VK_NULL_HANDLE;
+    if (vkAllocateMemory(device_.handle(), &info, nullptr, &memory) != VK_SUCCESS) return false;
+    void* mapped = nullptr;
+    const bool can = vkMapMemory(device_.handle(), memory, 0, VK_WHOLE_SIZE, 0, &mapped) == VK_SUCCESS &&
+                     is_on_pages(mapped) && import_memory(worker, mapped, kPageBytes, shared) == VK_SUCCESS;
+    vkFreeMemory(worker.handle(), shared, nullptr);
+    vkFreeMemory(device_.handle(), memory, nullptr);
+    return can;
+}
+
+VkDeviceMemory DeviceMemory::share(void* memory, std::uint64_t bytes) const {
+    CHECK(is_on_pages(memory));
     VkDeviceMemory shared = VK_NULL_HANDLE;
-    VK_CALL(vkAllocateMemory(device_.handle(), &info, nullptr, &shared));
+    VK_CALL(import_memory(device_, memory, bytes, shared));
     return shared;
 }
 

@@ -20,6 +20,9 @@ public:
     VkDeviceMemory allocate(const VkMemoryRequirements& needs, VkMemoryPropertyFlags wanted,
                             std::uint32_t& type);
     void release(VkDeviceMemory memory, std::uint64_t bytes);
+    // Whether what is allocated here can be shared with a worker: it lies on whole pages, and the driver
+    // takes it.
+    bool can_share_with(const Device& worker) const;
     // Of a worker: memory of the device that it stands beside, at least so much of it. Counts there;
     // vkFreeMemory gives it back.
     VkDeviceMemory share(void* memory, std::uint64_t bytes) const;
