@@ -4,6 +4,7 @@
 #include "base/check.h"
 #include "render/relight/tile_lists.h"
 #include "shared/beam.h"
+#include "shared/g_buffer.h"
 
 #include <algorithm>
 #include <cmath>
