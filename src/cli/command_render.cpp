@@ -9,6 +9,7 @@
 #include "cli/options/tone_option.h"
 #include "cli/render/render_film.h"
 #include "dmx/record/recording_tasks.h"
+#include "farm/farm_task.h"
 #include "live/session/film_sound.h"
 #include "show/show.h"
 
