@@ -69,7 +69,7 @@ std::vector<DistancePlace> distance_places(const Show& show, int size) {
     std::vector<DistancePlace> places;
     std::set<std::string> names;
     for (const PatchedFixture& fixture : show.fixtures) {
-        if (fixture.type == nullptr || fixture.patch().mode_of().beams.empty()) continue; // it never shines
+        if (fixture.type == nullptr) continue;
         for (std::size_t stop = 0; stop < fixture.stops_m().size(); ++stop) {
             const std::vector<glm::vec3> lights_m = light_places_m(fixture, stop);
             for (std::size_t place = 0; place < lights_m.size(); ++place) {

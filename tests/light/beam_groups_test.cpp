@@ -251,12 +251,6 @@ TEST(BeamGroups, OfTypeNoneAndGlowAreSeenAndLightNothing) {
         }
         EXPECT_TRUE(distance_places(hall.show, 64).empty());
     }
-    auto machine = std::make_shared<fixture::Type>(*cells_type(bar(4, 0.2f)));
-    for (fixture::Mode& mode : machine->modes) mode.beams.clear();
-    Show show = Hall(cells_type(bar(4, 0.2f))).show;
-    ASSERT_FALSE(distance_places(show, 64).empty());
-    for (PatchedFixture& fixture : show.fixtures) fixture.type = machine;
-    EXPECT_TRUE(distance_places(show, 64).empty()) << "what has no beam throws no shadows";
     std::vector<CellSpec> mixed = bar(4, 0.2f);
     mixed[1].type = "Glow";
     const FrameLights lit = Hall(cells_type(mixed)).lit();
