@@ -109,20 +109,19 @@ void Device::make_workers(const DeviceOptions& options) {
         std::unique_ptr<Device> worker(new Device);
         worker->instance_ = instance;
         worker->worker_ = static_cast<int>(workers_.size());
-        if (!worker->choose_physical(same) ||
-            !has_extension(worker->physical_, VK_EXT_EXTERNAL_MEMORY_HOST_EXTENSION_NAME)) {
-            workers_.clear();
-            return;
+        bool serves = worker->choose_physical(same).ok() &&
+                      has_extension(worker->physical_, VK_EXT_EXTERNAL_MEMORY_HOST_EXTENSION_NAME);
+        if (serves) {
+            worker->make_device(same);
+            serves = memory_->can_share_with(*worker);
         }
-        worker->make_device(same);
-        if (!memory_->can_share_with(*worker)) {
+        if (!serves) {
             workers_.clear();
             return;
         }
         if (!options.shaders.empty()) worker->shaders_ = std::make_unique<ShaderFolder>(options.shaders);
         workers_.push_back(std::move(worker));
     }
-    if (workers_.size() < 2) workers_.clear();
 }
 
 Shader Device::current(const Shader& built_in) const {

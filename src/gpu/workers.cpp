@@ -45,12 +45,13 @@ std::vector<VkInstance>& instances() {
 
 } // namespace
 
-void prepare_workers() {
+void prepare_workers(unsigned count) {
     static bool has_tried = false;
     const unsigned cores = std::thread::hardware_concurrency();
-    if (std::exchange(has_tried, true) || cores < 2 || cores > kMostCores || std::getenv(kThreads)) return;
+    if (count == 0 && cores <= kMostCores) count = cores;
+    if (std::exchange(has_tried, true) || count < 2 || std::getenv(kThreads)) return;
     setenv(kThreads, "0", 1);
-    for (unsigned k = 0; k < cores; ++k) {
+    for (unsigned k = 0; k < count; ++k) {
         const VkInstance instance = make_instance();
         if (!has_only_processors(instance)) {
             if (instance != VK_NULL_HANDLE) vkDestroyInstance(instance, nullptr);
@@ -59,6 +60,9 @@ void prepare_workers() {
         instances().push_back(instance);
     }
     unsetenv(kThreads);
+    if (instances().size() > 1) return; // one alone would draw what the device draws with all cores
+    for (const VkInstance instance : instances()) vkDestroyInstance(instance, nullptr);
+    instances().clear();
 }
 
 std::span<const VkInstance> worker_instances() {

@@ -14,7 +14,8 @@ namespace ghost::gpu {
 // Makes ready what workers are made from, where nothing but processors draw and there are a few cores. The
 // first call alone does, before there are other threads: the driver reads how many threads it may have from
 // the environment, which is as it was afterwards. Nothing where somebody has said how many (LP_NUM_THREADS).
-void prepare_workers();
+// count: of workers; 0: one for each core, where that pays.
+void prepare_workers(unsigned count = 0);
 
 // As many workers as there can be; none where prepare_workers() was not called or there is nothing to win.
 // They live as long as the program. Any thread.

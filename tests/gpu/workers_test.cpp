@@ -14,7 +14,7 @@ namespace {
 
 TEST(Workers, WriteWhatTheDeviceReads) {
     const Device* device = kWorkerDevice->get();
-    if (!device) GTEST_SKIP() << "no workers: this machine has one core, or many";
+    if (!device) GTEST_SKIP() << "a graphics card draws here, or LP_NUM_THREADS is set: there are no workers";
     Buffer buffer(*device, 4 * sizeof(std::uint32_t), Access::device);
     Texture texture(*device, {33, 5, 2, 1, VK_FORMAT_R16G16B16A16_SFLOAT, true, false});
     std::uint32_t value = 0;
@@ -39,7 +39,7 @@ TEST(Workers, WriteWhatTheDeviceReads) {
 
 TEST(Workers, AreDevicesOfTheirOwn) {
     const Device* device = kWorkerDevice->get();
-    if (!device) GTEST_SKIP() << "no workers: this machine has one core, or many";
+    if (!device) GTEST_SKIP() << "a graphics card draws here, or LP_NUM_THREADS is set: there are no workers";
     EXPECT_EQ(device->worker(), -1);
     for (std::size_t k = 0; k < device->workers().size(); ++k) {
         const Device& worker = *device->workers()[k];

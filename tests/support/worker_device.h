@@ -1,7 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: Apache-2.0
-// A device with workers (gpu/workers.h), made when it is first asked for; ends with the tests. Null where
-// there can be none: one core, or more than pay.
+// A device with two workers (gpu/workers.h), whatever the number of cores, made when it is first asked for;
+// ends with the tests. Null where there can be none: a graphics card draws, or LP_NUM_THREADS is said.
 #include "gpu/device.h"
 #include "gpu/workers.h"
 #include "support/must.h"
@@ -16,7 +16,7 @@ class WorkerDevice : public testing::Environment {
 public:
     const gpu::Device* get() {
         if (!device_) {
-            gpu::prepare_workers();
+            gpu::prepare_workers(2);
             device_ = must(gpu::Device::create({.validation = true, .workers = true}));
         }
         return device_->workers().empty() ? nullptr : device_.get();

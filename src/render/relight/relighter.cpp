@@ -14,7 +14,6 @@
 #include <chrono>
 #include <cstring>
 #include <glm/gtc/packing.hpp>
-#include <set>
 #include <span>
 #include <string_view>
 #include <utility>
@@ -452,7 +451,6 @@ void Relighter::record_on(LightPainter& painter) {
 
 // Side by side.
 void Relighter::run_workers() {
-    painter_of_place_.clear();
     for (const auto& painter : painters_)
         if (painter->is_recording) painter->commands.submit();
     for (const auto& painter : painters_) {
@@ -473,32 +471,18 @@ bool Relighter::wants_stop(LightPainter& painter) {
     return drawing_->stopped;
 }
 
-// One, that has the places of these lights already or may have them.
-LightPainter& Relighter::painter_for(const std::vector<int>& lights) {
-    if (!uses_workers()) return main_;
-    std::set<std::size_t> taken;
-    for (const int light : lights)
-        if (const auto known = painter_of_place_.find(units_.lights()[static_cast<std::size_t>(light)].map);
-            known != painter_of_place_.end())
-            taken.insert(known->second);
-    if (taken.size() > 1) run_workers();
-    std::size_t chosen = taken.size() == 1 ? *taken.begin()
-                         : lights.empty()  ? 0
-                                           : painter_of_[static_cast<std::size_t>(lights[0])];
-    if (chosen >= painters_.size()) chosen = next_painter_++ % painters_.size();
-    for (const int light : lights)
-        if (const std::uint32_t place = units_.lights()[static_cast<std::size_t>(light)].map; place > 0)
-            painter_of_place_[place] = chosen;
-    return *painters_[chosen];
-}
-
 // Draws an image again in these tiles: by one painter, for there is little to do.
 void Relighter::draw_tiles(const ImageSum& sum, const TileSet& tiles) {
-    LightPainter& painter = painter_for(sum.lights);
-    record_on(painter);
-    painter.mended_tiles = painter.mending->record(painter.commands, rooms(), tiles);
-    draw_part(painter, sum);
-    painter.mended_tiles = 0;
+    LightPainter* painter = &main_;
+    if (uses_workers()) {
+        const std::size_t known =
+            sum.lights.empty() ? ~std::size_t{0} : painter_of_[static_cast<std::size_t>(sum.lights[0])];
+        painter = painters_[known < painters_.size() ? known : next_painter_++ % painters_.size()].get();
+    }
+    record_on(*painter);
+    painter->mended_tiles = painter->mending->record(painter->commands, rooms(), tiles);
+    draw_part(*painter, sum);
+    painter->mended_tiles = 0;
 }
 
 // Draws an image again where it is stale.

@@ -90,7 +90,7 @@ struct FrameStatistics {
     int faces = 0;         // lenses drawn
     bool stopped = false;  // there is no new picture
     double draw_ms = 0;    // whole draw(), waiting included
-    std::vector<gpu::Span> spans; // GPU time
+    std::vector<gpu::Span> spans; // GPU time; of workers side by side that of each
 
     double haze_ms() const;   // of that
     double bounce_ms() const; // likewise, to add bounced light
@@ -169,7 +169,6 @@ private:
     bool uses_workers() const { return !painters_.empty() && !stop_; }
     std::vector<Share> shares_of(const std::vector<int>& lights, const std::vector<int>& resting);
     double work_of(int light) const;
-    LightPainter& painter_for(const std::vector<int>& lights);
     // What follows is recorded there, after all that was recorded elsewhere.
     void record_on(LightPainter& painter);
     void run_workers();
@@ -231,6 +230,11 @@ private:
     // Not of a picture at rest, whose lights are drawn once each, nor of one of a moment; where more lights
     // turn than there is time for, the next ones are others.
     bool keeps_visibility() const { return visibility_ && !flies_ && !stop_ && !budget_.is_short(); }
+    // Nor of an image that is mended while other workers draw: its lights may have the places of theirs.
+    bool keeps_visibility(const LightPainter& painter) const {
+        const bool mends = painter.mended_tiles > 0 && painter.into == &painter.drawn;
+        return keeps_visibility() && !(uses_workers() && mends);
+    }
     std::unique_ptr<DirtyTiles> dirty_tiles_; // null: from passes, in which nothing moves
     bool touched_ = false;                    // since the last draw
     LightUnits units_;
@@ -244,8 +248,7 @@ private:
     gpu::Commands commands_;
     LightPainter main_; // on the device, with commands_
     std::vector<std::unique_ptr<LightPainter>> painters_;
-    std::vector<std::size_t> painter_of_;                   // lights: which drew it last; beyond all: none
-    std::map<std::uint32_t, std::size_t> painter_of_place_; // Light::map: of those that record now
+    std::vector<std::size_t> painter_of_; // lights: which drew it last; beyond all: none
     std::size_t next_painter_ = 0;
     gpu::LateProgram meter_;
     std::array<gpu::LateProgram, shared::kToneCount> develop_;

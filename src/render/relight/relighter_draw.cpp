@@ -27,7 +27,7 @@ constexpr std::uint32_t kLeastMade = 256, kPartMade = 8;
 // Work of a light, of which one is seen in the whole picture: its tables, and where it rests and little of
 // the picture is drawn again. Looked for in so many parts across and down.
 constexpr double kWorkOfTables = 0.12, kWorkOfResting = 0.1;
-constexpr int kWorkParts = 8;
+constexpr int kWorkParts = 4;
 constexpr std::uint32_t kGroupsAcross = 1024; // of a dispatch, whose sides have limits
 
 // Facets of prisms that are not in the beam, and lamps that are out.
@@ -86,6 +86,7 @@ std::vector<Relighter::Share> Relighter::shares_of(const std::vector<int>& light
                      [](const Part& a, const Part& b) { return a.work > b.work; });
     std::vector<Share> shares;
     for (const auto& painter : painters_) shares.push_back({painter.get(), {}, {}, 0});
+    std::map<std::uint32_t, std::size_t> painter_of_place;
     for (const Part& part : parts) {
         std::size_t least = 0;
         for (std::size_t k = 1; k < shares.size(); ++k)
@@ -94,7 +95,7 @@ std::vector<Relighter::Share> Relighter::shares_of(const std::vector<int>& light
         std::size_t& known = painter_of_[light];
         if (known >= shares.size() || shares[known].work > shares[least].work) known = least;
         if (const std::uint32_t place = units_.lights()[light].map; place > 0)
-            known = painter_of_place_.emplace(place, known).first->second;
+            known = painter_of_place.emplace(place, known).first->second;
         (part.rests ? shares[known].resting : shares[known].lights).push_back(part.light);
         shares[known].work += part.work;
     }
@@ -296,7 +297,7 @@ bool Relighter::draw_lights(LightPainter& painter, const std::vector<shared::Lig
                                 settings_.surfaces ? 1u : 0u,
                                 settings_.air ? 1u : 0u,
                                 wide ? wide_step_ * wide_step_ : 1u,
-                                keeps_visibility() ? kept.now : 0,
+                                keeps_visibility(painter) ? kept.now : 0,
                                 visibility_ ? visibility_->page_count() : 0,
                                 visibility_ ? visibility_->units() : 0,
                                 visibility_ ? most_made(painter) : 0,
@@ -381,7 +382,7 @@ void Relighter::record_surfaces(LightPainter& painter, const LightChunk& chunk, 
     shared::RelightPush push{
         chunk.count(), 0, f.tiles_x, chunk.tiles(), f.blocks, 0, visibility_ ? visibility_->units() : 0, 0};
     for (push.batch = 0; push.batch < chunk.batches(); ++push.batch) {
-        if (keeps_visibility()) {
+        if (keeps_visibility(painter)) {
             painter.commands.begin_span("visibility");
             painter.commands.dispatch_indirect(
                 painter.visible.get(), push,
@@ -401,12 +402,12 @@ void Relighter::record_surfaces(LightPainter& painter, const LightChunk& chunk, 
         }
         painter.commands.begin_span("surfaces");
         gpu::LateProgram& direct = painter.direct_surface[chunk.beam_class];
-        const bool all_direct = distances_ && !keeps_visibility();
+        const bool all_direct = distances_ && !keeps_visibility(painter);
         gpu::LateProgram& listed =
             all_direct ? direct : (thin ? painter.thin_surface : painter.surface)[chunk.beam_class];
         painter.commands.dispatch_indirect(listed.get(), push, bindings, painter.groups,
                                            chunk.surface_groups(push.batch));
-        if (keeps_visibility() && batch_size_ == 1) {
+        if (keeps_visibility(painter) && batch_size_ == 1) {
             // Other tiles than those above.
             push.direct = 1;
             painter.commands.dispatch_indirect(direct.get(), push, bindings, painter.groups,

@@ -201,7 +201,7 @@ TEST_F(MenderTest, AnythingMayChangeInAnyOrder) {
 
 TEST_F(MenderTest, AnythingMayChangeWhereWorkersDraw) {
     const gpu::Device* on = kWorkerDevice->get();
-    if (!on) GTEST_SKIP() << "no workers: this machine has one core, or many";
+    if (!on) GTEST_SKIP() << "a graphics card draws here, or LP_NUM_THREADS is set: there are no workers";
     Settings coarse = settings();
     coarse.coarse = true;
     for (Settings how : {settings(), with_few_images(), coarse}) {
