@@ -17,6 +17,7 @@ constexpr double kRoom = 0.8;         // of a frame's time, that a level may see
 constexpr double kMuchRoom = 0.6;     // and later, where another size costs time itself
 constexpr double kStillMoves = 4;     // frame times that half of the sides may take
 constexpr int kShortestWait = 40, kLongestWait = 640;
+constexpr int kTakenBack = 10; // frames of such a wait, by one that would be too slow there
 constexpr double kLeastPaceRatio = 1.02, kMostPaceRatio = 2.2;
 // Until they are measured: three quarters of the smallest picture do not go with its pixels.
 constexpr std::array<double, Pace::kLevels.size() - 1> kGuessedRatios{1.75, 1.55, 1.41, 1.24};
@@ -90,7 +91,9 @@ bool Pace::add(double frame_ms, double frames_per_s) {
         if (raised_ && level > level_) wait_ = std::min(2 * wait_, kLongestWait);
         calm_ = 0;
     } else if (level_ > 0 && expected_ms(level_ - 1, usual_ms) < kMuchRoom * bearable_ms(wanted_ms)) {
-        if (++calm_ >= wait_) {
+        const bool is_rough = expected_ms(level_ - 1, frame_ms) > kTooSlow * bearable_ms(wanted_ms);
+        calm_ = is_rough ? std::max(calm_ - kTakenBack, 0) : calm_ + 1;
+        if (calm_ >= wait_) {
             level = level_ > kHalf ? level_ - 1 : level_;
             level = std::min(best_level(usual_ms, kMuchRoom * wanted_ms), level);
         }

@@ -6,11 +6,11 @@
 // twice the sides (a festival of 400: 296 ms at 250x168, 205 at 350x235 with light at half of that). Begins
 // at the middle, with many lights with the fewest pixels, for a thousand of them would take half a minute
 // otherwise; the second frame (the first makes shaders) goes to where the time seems to be enough. Later down
-// likewise after seven frames, or two that are far too slow, and up after many frames that leave much room: a
-// picture of another size costs what several frames do, and one that comes and goes is worse than a coarse
-// one. What a level costs beside the next is measured at each change. Below half of the sides only where
-// nothing would move there any more, and up again as soon as it would. Pure: times come in, a level comes
-// out.
+// likewise after seven frames, or two that are far too slow, and up after many frames that leave much room
+// and hardly one among them that would be too slow there: a picture of another size costs what several frames
+// do, and one that comes and goes is worse than a coarse one. What a level costs beside the next is measured
+// at each change. Below half of the sides only where nothing would move there any more, and up again as soon
+// as it would. Pure: times come in, a level comes out.
 
 #include <array>
 #include <cstddef>
@@ -45,7 +45,7 @@ private:
     bool knows_ = false;                            // how fast it is
     std::array<double, 7> recent_ms_{};
     std::size_t seen_ = 0; // frames at this level
-    int calm_ = 0;         // in a row with which the better level would leave room
+    int calm_ = 0;         // with which the better level would leave room, less those taken back
     int wait_;             // of those before the next try
     bool raised_ = false;  // how this level was reached
     double before_ms_ = 0; // median at the level before; 0: it was learnt from, or there was none

@@ -113,6 +113,24 @@ TEST(Pace, tries_that_fail_become_rare) {
     EXPECT_LE(late, 4);
 }
 
+// One or two lights turn, now and then five: the usual picture is soon drawn, and the next better level would
+// be late each time.
+TEST(Pace, what_is_slow_now_and_then_is_not_tried) {
+    for (const int period : {4, 6, 9}) {
+        Pace pace(kFew);
+        run(pace, 3, 100, 10);
+        ASSERT_EQ(pace.share(), 0.5) << "35 ms";
+        int changes = 0;
+        for (int i = 0; i < 2000; ++i) {
+            const double full_ms = i % period == 0 ? 160 : 16; // 50 ms and 14; 88 and 18 at the next level
+            changes += pace.add(10 + full_ms * pace.share() * pace.share(), kPaceFps) ? 1 : 0;
+        }
+        EXPECT_EQ(changes, 0) << period;
+        run(pace, 200, 16);
+        EXPECT_EQ(pace.share(), 1.0) << "where none is slow it is";
+    }
+}
+
 // Two cores and ten lights, other work beside them: coarse, but never below half of the sides.
 TEST(Pace, few_lights_never_go_below_half_of_the_sides) {
     for (const double full_ms : {20.0, 80.0, 160.0, 330.0}) {
