@@ -427,6 +427,10 @@
         <source>Hide what is here</source>
         <translation>Ausblenden, was hier ist</translation>
     </message>
+    <message>
+        <source>Put torn-off panels back</source>
+        <translation>Abgelöste Fenster zurücksetzen</translation>
+    </message>
 </context>
 <context>
     <name>Air</name>

@@ -8,9 +8,10 @@ namespace ghost::ui {
 namespace {
 
 const std::set<QString> kNeedNothing{
-    "new",           "open",  "import-plot", "open-demo", "quit",    "screenshot",     "shortcuts",
-    "documentation", "about", "full-screen", "chips",     "figures", "frame",          "names",
-    "addresses",     "aims",  "marks",       "movers",    "find",    "second-display", "second-window"};
+    "new",       "open",           "import-plot",   "open-demo",   "quit",  "screenshot",
+    "shortcuts", "documentation",  "about",         "full-screen", "chips", "figures",
+    "frame",     "names",          "addresses",     "aims",        "marks", "movers",
+    "find",      "second-display", "second-window", "panels-dock"};
 const std::set<QString> kNeedSelection{"select-none", "hold",  "select-similar", "duplicate", "remove",
                                        "unpatch",     "hang",  "distribute",     "align-x",   "align-y",
                                        "align-z",     "focus", "aim-through"};

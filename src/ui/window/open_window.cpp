@@ -9,6 +9,7 @@
 #include "ui/language/language.h"
 #include "ui/widgets/plain_labels.h"
 #include "ui/widgets/theme.h"
+#include "ui/widgets/whole_paint.h"
 #include "ui/window/window.h"
 
 #include <QApplication>
@@ -18,6 +19,7 @@
 
 #include <clocale>
 #include <cstdlib>
+#include <utility>
 
 namespace ghost::ui {
 namespace {
@@ -37,13 +39,18 @@ void take_message(QtMsgType type, const QMessageLogContext&, const QString& text
         if (is_set("WAYLAND_DISPLAY") && !is_set("DISPLAY"))
             log_error(
                 "this display speaks Wayland alone, and Qt's part for it is not here or does not serve: "
-                "install it (on Debian qtwayland5 or qt6-wayland; the bundle cannot use it), or let "
+                "install it (on Debian qt6-wayland; the bundle cannot use it), or let "
                 "Xwayland run");
         log_error("the window needs a display (DISPLAY or WAYLAND_DISPLAY); without one, 'ghostlight render' "
                   "writes pictures and films");
         std::_Exit(1);
     }
-    if (type == QtCriticalMsg)
+    // Qt says so and ends the program, on X11 and on Wayland; the draft is on disk by then.
+    static bool has_told = false;
+    if (type == QtWarningMsg && text.contains("connection broke") && !std::exchange(has_told, true))
+        log_error("the display is gone: " + text.toStdString() +
+                  " The window ends; changes that were not saved are offered when the show is opened again");
+    else if (type == QtCriticalMsg)
         log_error(text.toStdString());
     else
         log_debug(text.toStdString());
@@ -105,6 +112,8 @@ Result<void> open_window(Link& link, const WindowOptions& options) {
     set_theme(application);
     PlainLabels plain_labels;
     application.installEventFilter(&plain_labels);
+    WholePaint whole_paint;
+    application.installEventFilter(&whole_paint);
 
     Result<void> outcome;
     Window window(link, options);

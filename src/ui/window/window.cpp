@@ -340,6 +340,12 @@ void Window::add_panels() {
     for (const char* const name : {"fixtures", "programmer", "values", "looks", "cues", "scene", "air",
                                    "plot", "network", "messages", "export", "browsers"})
         if (QAction* const toggle = actions_.item(QString("panel-") + name)) rail_->add_button(name, *toggle);
+    // Where the window manager draws the title of a torn-off panel, nothing on it puts it back.
+    actions_.add({"panels-dock", "Panels", translated("Action", "Put torn-off panels back"), "", "",
+                  [this](const QStringList&) -> Result<void> {
+                      for (QDockWidget* const dock : docks_) dock->setFloating(false);
+                      return {};
+                  }});
 }
 
 QDockWidget* Window::add_browsers(web::Browsers& browsers) {

@@ -293,9 +293,9 @@ void Window::set_full_screen(bool full) {
         // What is left may need more width than a window has whose display got another scale; Qt resizes it
         // then, which would end the full screen.
         layout()->activate();
-        showFullScreen();
+        setWindowState(windowState() | Qt::WindowFullScreen); // one that is maximised is so again afterwards
     } else {
-        showNormal();
+        setWindowState(windowState() & ~Qt::WindowFullScreen);
         reach_.look(); // its display may have gone meanwhile
         for (std::size_t i = 0; i < docks_shown_.size(); ++i) docks_[i]->setVisible(docks_shown_[i]);
         for (QDockWidget* dock : in_front_) dock->raise();

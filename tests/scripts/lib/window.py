@@ -27,7 +27,7 @@ PICTURES = pathlib.Path(sys.argv[3]).resolve() if len(sys.argv) > 3 else None
 
 WORK = None
 DISPLAY = None
-LONG_S = 600  # for what a busy machine may take
+LONG_S = 40  # for what a busy machine may take
 
 
 class Window:
@@ -137,8 +137,8 @@ def begin(*screen_arguments):
             screen.wait()
 
 
-def main(tests):
+def main(tests, *screen_arguments):
     """Runs the tests of a module; words behind the three folders choose among them. Returns the exit code."""
-    with begin() as tests.WORK:
+    with begin(*screen_arguments) as tests.WORK:
         program = unittest.main(module=tests, argv=[sys.argv[0], *sys.argv[4:]], exit=False, verbosity=2)
     return 0 if program.result.wasSuccessful() else 1
