@@ -2225,6 +2225,10 @@
         <source>%1, of which %2 have no optics and stay dark</source>
         <translation>%1, davon %2 ohne Optik, die dunkel bleiben</translation>
     </message>
+    <message>
+        <source>Looks keep the old names of fixtures: %1</source>
+        <translation>Looks behalten die alten Namen der Geräte: %1</translation>
+    </message>
 </context>
 <context>
     <name>Palettes</name>

@@ -160,6 +160,7 @@ Window::Window(Link& link, const WindowOptions& options)
     addToolBar(Qt::TopToolBarArea, notice_);
     fixtures_->complain = actions_.complain;
     connect(&document_, &ShowDocument::changed, this, [this] { setWindowModified(document_.is_changed()); });
+    connect(&document_, &ShowDocument::fixtures_renamed, &looks_, &Looks::rename_fixtures);
     connect(&app_, &AppModel::opened_show, this, &Window::name_cameras);
     connect(&app_, &AppModel::opened_show, this, [this] {
         setWindowTitle(QString::fromStdString(app_.show()->name.empty() ? app_.show()->file.string()
