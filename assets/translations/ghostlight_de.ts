@@ -6758,6 +6758,18 @@ Bitte den Namen des Ordners prüfen.</translation>
         <source>%1 fixture of %2 has stand-in optics, which hands alone light, as the mode has no beam: %3</source>
         <translation>%1 Gerät von %2 hat eine Ersatzoptik, die nur von Hand leuchtet, denn der Modus hat keinen Strahl: %3</translation>
     </message>
+    <message>
+        <source>has no room beside what hangs there for %1 more; take fewer, or hang them elsewhere</source>
+        <translation>hat neben dem, was dort hängt, keinen Platz für %1 mehr; weniger nehmen, oder sie woanders aufhängen</translation>
+    </message>
+    <message>
+        <source>another plot is being imported: take it when that is done</source>
+        <translation>ein anderer Plan wird importiert: noch einmal, wenn das fertig ist</translation>
+    </message>
+    <message>
+        <source>the show that was made of the plot cannot be opened: no fixture file is substituted</source>
+        <translation>die Show, die aus dem Plan wurde, lässt sich nicht öffnen: keine Gerätedatei wird ersetzt</translation>
+    </message>
 </context>
 <context>
     <name>Transport</name>

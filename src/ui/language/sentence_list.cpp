@@ -837,6 +837,8 @@ constexpr const char* kSentences[] = {
                       "nothing of '%1' is set by hand; name what all shall have, or hold it first"),
     QT_TRANSLATE_NOOP("Sentence", "everything of the selected fixtures is the hand's already"),
     QT_TRANSLATE_NOOP("Sentence", "does not lie like a truss or a pipe, so nothing hangs under it"),
+    QT_TRANSLATE_NOOP("Sentence",
+                      "has no room beside what hangs there for %1 more; take fewer, or hang them elsewhere"),
     QT_TRANSLATE_NOOP("Sentence", "there is no object '%1'"),
     QT_TRANSLATE_NOOP("Sentence", "the stage has no truss or pipe to hang them under"),
     QT_TRANSLATE_NOOP("Sentence", "'%1' is no truss or pipe that lies"),
