@@ -1463,6 +1463,10 @@
             <numerusform>%n Geräte</numerusform>
         </translation>
     </message>
+    <message>
+        <source>file is being read</source>
+        <translation>Datei wird gelesen</translation>
+    </message>
 </context>
 <context>
     <name>Jobs</name>
