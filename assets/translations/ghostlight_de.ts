@@ -5455,10 +5455,6 @@ Bitte den Namen des Ordners prüfen.</translation>
         <translation>der Plan wurde nicht importiert: keine Gerätedatei wird ersetzt</translation>
     </message>
     <message>
-        <source>the plot is being imported: take it when that is done</source>
-        <translation>der Plan wird importiert: danach übernehmen</translation>
-    </message>
-    <message>
         <source>no show is open, or it is still being looked through</source>
         <translation>keine Show ist offen, oder sie wird noch durchgesehen</translation>
     </message>

@@ -77,6 +77,15 @@ ShowDocument::ShowDocument(AppModel& app) : app_(app) {
     connect(&app_, &AppModel::opened_show, this, [this] {
         const bool goes_on = app_.opened().again && app_.show()->file == file_;
         if (!app_.opened().is_edit && !goes_on) read_opened();
+        // What was edited while it was opened is in the text and not in what was opened, whose fixtures may
+        // be other ones by their numbers.
+        if (!app_.opened().is_edit && goes_on && app_.is_taking_edit())
+            QMetaObject::invokeMethod(
+                this,
+                [this] {
+                    put({text_, app_.look(), app_.selection()});
+                },
+                Qt::QueuedConnection);
     });
 }
 
