@@ -223,9 +223,12 @@ Window::Window(Link& link, const WindowOptions& options)
         options_.remembers && tone.ok())
         app_.change_request([&](ViewRequest& request) { request.tone = *tone; });
     if (options_.remembers && settings.value("layout version").toInt() == kLayoutVersion) {
-        restoreGeometry(settings.value("geometry").toByteArray());
+        (void)place_.put_back(settings);
         restoreState(settings.value("docks").toByteArray(), kLayoutVersion);
-        if (options_.width > 0) resize(options_.width, options_.height);
+        if (options_.width > 0) {
+            setWindowState(Qt::WindowNoState);
+            resize(options_.width, options_.height);
+        }
     } else {
         if (options_.width > 0) resize(options_.width, options_.height);
         const QSize asked = size();
@@ -546,7 +549,7 @@ void Window::closeEvent(QCloseEvent* event) {
         rail_->put_back(); // panels that waited are part of the layout
         QSettings settings;
         settings.setValue("layout version", kLayoutVersion);
-        settings.setValue("geometry", saveGeometry());
+        place_.keep(settings);
         settings.setValue("docks", saveState(kLayoutVersion));
     }
     second_.close(); // the last window that closes ends the program
