@@ -262,16 +262,16 @@ std::vector<glm::vec3> places_under(const Bar& bar, std::span<const glm::vec3> a
     return places;
 }
 
-std::optional<std::vector<glm::vec3>> places_beside(const Bar& bar, std::span<const Hung> shall,
-                                                    std::span<const Hung> there) {
+std::optional<std::vector<glm::vec3>> places_beside(const Bar& bar, std::span<const BarLoad> shall,
+                                                    std::span<const BarLoad> there) {
     if (there.empty()) {
         std::vector<glm::vec3> are_m;
-        for (const Hung& one : shall) are_m.push_back(one.place_m);
+        for (const BarLoad& one : shall) are_m.push_back(one.place_m);
         return places_under(bar, are_m);
     }
     const float length_m = bar.length_m();
     std::vector<Stretch> taken;
-    for (const Hung& one : there) {
+    for (const BarLoad& one : there) {
         const float at_m = along_m(bar, one.place_m), half_m = one.width_m / 2 + kBetween_m;
         taken.push_back({at_m - half_m, at_m + half_m});
     }
@@ -294,7 +294,7 @@ std::optional<std::vector<glm::vec3>> places_beside(const Bar& bar, std::span<co
             all.push_back({*found - half_m, *found + half_m});
         }
         if (at_m.size() < shall.size()) continue;
-        const bool are_alike = std::all_of(shall.begin(), shall.end(), [&](const Hung& one) {
+        const bool are_alike = std::all_of(shall.begin(), shall.end(), [&](const BarLoad& one) {
             return std::abs(one.width_m - shall[0].width_m) < kRounding_m;
         });
         if (are_alike) std::sort(at_m.begin(), at_m.end()); // the first stays leftmost

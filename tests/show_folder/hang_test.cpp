@@ -121,7 +121,7 @@ TEST(Hang, one_goes_to_the_nearest_place_and_several_spread) {
 std::vector<float> beside(const std::vector<float>& wanted_m, const std::vector<float>& there_m,
                           float width_m) {
     const Bar bar{{-4, 8, 6}, {4, 8, 6}, 0.4f};
-    std::vector<Hung> shall, there;
+    std::vector<BarLoad> shall, there;
     for (const float x_m : wanted_m) shall.push_back({{x_m, 2, 3}, width_m});
     for (const float x_m : there_m) there.push_back({{x_m, 8, 6}, width_m});
     const auto places = places_beside(bar, shall, there);

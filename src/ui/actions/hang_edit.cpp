@@ -59,11 +59,11 @@ float width_of(const scene::PatchedFixture& fixture, const glm::vec3& way) {
 }
 
 // All that hangs under a bar, but those.
-std::vector<scene::Hung> what_hangs(const scene::Bar& bar,
+std::vector<scene::BarLoad> what_hangs(const scene::Bar& bar,
                                        const std::vector<scene::PatchedFixture>& fixtures,
                                        const std::set<std::size_t>& but) {
     const glm::vec3 way = glm::normalize(bar.to_m - bar.from_m);
-    std::vector<scene::Hung> there;
+    std::vector<scene::BarLoad> there;
     for (std::size_t i = 0; i < fixtures.size(); ++i)
         if (!but.contains(i) && !fixtures[i].track && scene::hangs_away_m(bar, fixtures[i].position_m))
             there.push_back({fixtures[i].position_m, width_of(fixtures[i], way)});
@@ -164,7 +164,7 @@ Result<void> hang_under(AppModel& app, ShowDocument& document, std::size_t objec
         if (one.bar && scene::is_slender(*one.bar)) pieces.push_back(*one.bar);
     const scene::Bar bar = scene::joined(*objects[object].bar, pieces);
     const glm::vec3 way = glm::normalize(bar.to_m - bar.from_m);
-    std::vector<scene::Hung> shall;
+    std::vector<scene::BarLoad> shall;
     for (const std::size_t index : app.selection()) {
         const scene::PatchedFixture& fixture = app.show()->fixtures[index];
         shall.push_back({fixture.position_m, width_of(fixture, way)});
@@ -221,7 +221,7 @@ glm::vec3 place_above(const std::vector<Object>& objects, const std::vector<scen
     const std::optional<std::size_t> nearest = scene::nearest_bar(on_plan, at_m);
     if (!nearest) return in_millimetres({floor_m.x, floor_m.y, std::max(floor_m.z, lowest_m)});
     const scene::Bar bar = scene::joined(pieces[*nearest], pieces);
-    const std::array shall{scene::Hung{at_m, width_of(made, glm::normalize(bar.to_m - bar.from_m))}};
+    const std::array shall{scene::BarLoad{at_m, width_of(made, glm::normalize(bar.to_m - bar.from_m))}};
     const auto beside = scene::places_beside(bar, shall, what_hangs(bar, others, {}));
     return in_millimetres(beside ? beside->front() : scene::places_under(bar, std::array{at_m}).front());
 }
