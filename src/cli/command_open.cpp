@@ -80,7 +80,6 @@ Result<void> run(OpenArguments& arguments) {
         return Error{"no such file or folder", show};
     catch_interrupts();
     prepare_engine();
-    arguments.engine.gives_way = true;
     ui::Link link;
     web::Browsers browsers(link);
     arguments.window.browsers = &browsers;

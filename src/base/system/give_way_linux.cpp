@@ -7,8 +7,7 @@
 namespace ghost {
 
 void give_way(int nice) {
-    // 0: of Linux the calling thread. Who runs the program with less gives nothing back.
-    if (getpriority(PRIO_PROCESS, 0) < nice) (void)setpriority(PRIO_PROCESS, 0, nice);
+    (void)setpriority(PRIO_PROCESS, 0, nice); // 0: of Linux the calling thread
 }
 
 void go_first() {

@@ -71,7 +71,6 @@ Result<bool> run_loaded_window(const BenchOptions& options, const LoadedWindow& 
     TRY_VOID(write_file_atomic(script, load.script));
     EngineOptions engine;
     engine.session.quiet = true;
-    engine.gives_way = true; // as in 'open'
     engine.session.device = options.device;
     engine.receiver.interface = "127.0.0.1";
     engine.receiver.artnet = false;

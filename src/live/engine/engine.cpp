@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "live/engine/engine.h"
 
-#include "base/give_way.h"
 #include "base/interrupt.h"
 #include "gpu/device_failures.h"
 #include "gpu/device_memory.h"
@@ -40,9 +39,6 @@ Engine::~Engine() {
 }
 
 void Engine::run() {
-    // All that it starts (drivers, opening, maps) has this, too. With every core at work the window's thread
-    // would wait for its turn, and a click for tenths of a second.
-    if (options_.gives_way) give_way(kGiveWayABit);
     try {
         begin_inputs();
         while (!stop_ && !interrupted()) {

@@ -45,7 +45,6 @@ struct EngineOptions {
     std::string sound;                     // output of the show's sound (show_sound.h); empty: none
     std::optional<XchangeOptions> xchange; // where plots come from
     bool takes_plots = false;              // at once, without asking
-    bool gives_way = false;                // a window that it draws for shall not wait for it
 };
 
 // Once in a program that will have an engine, before it has other threads (gpu/workers.h).

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/model/plot_report.h"
 
-#include "base/give_way.h"
 #include "fixture_files/load_type.h"
 #include "mvr/mvr_load.h"
 #include "show/show.h"
@@ -90,7 +89,6 @@ void PlotReport::begin() {
     of_ = app_.show();
     worker_ = std::jthread(
         [this, show = of_, messages = app_.messages(), library = library_](const std::stop_token& stop) {
-            give_way(kGiveWayABit); // to the window
             std::optional<scene::PlotPage> page;
             try {
                 page = page_of(*show, messages, library, stop);
