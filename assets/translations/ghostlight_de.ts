@@ -1467,6 +1467,10 @@
             <numerusform>%n Geräte</numerusform>
         </translation>
     </message>
+    <message>
+        <source>file is being read</source>
+        <translation>Datei wird gelesen</translation>
+    </message>
 </context>
 <context>
     <name>Jobs</name>
@@ -2228,6 +2232,10 @@
     <message>
         <source>%1, of which %2 have no optics and stay dark</source>
         <translation>%1, davon %2 ohne Optik, die dunkel bleiben</translation>
+    </message>
+    <message>
+        <source>Looks keep the old names of fixtures: %1</source>
+        <translation>Looks behalten die alten Namen der Geräte: %1</translation>
     </message>
 </context>
 <context>
@@ -5451,10 +5459,6 @@ Bitte den Namen des Ordners prüfen.</translation>
         <translation>der Plan wurde nicht importiert: keine Gerätedatei wird ersetzt</translation>
     </message>
     <message>
-        <source>the plot is being imported: take it when that is done</source>
-        <translation>der Plan wird importiert: danach übernehmen</translation>
-    </message>
-    <message>
         <source>no show is open, or it is still being looked through</source>
         <translation>keine Show ist offen, oder sie wird noch durchgesehen</translation>
     </message>
@@ -6757,6 +6761,18 @@ Bitte den Namen des Ordners prüfen.</translation>
     <message>
         <source>%1 fixture of %2 has stand-in optics, which hands alone light, as the mode has no beam: %3</source>
         <translation>%1 Gerät von %2 hat eine Ersatzoptik, die nur von Hand leuchtet, denn der Modus hat keinen Strahl: %3</translation>
+    </message>
+    <message>
+        <source>has no room beside what hangs there for %1 more; take fewer, or hang them elsewhere</source>
+        <translation>hat neben dem, was dort hängt, keinen Platz für %1 mehr; weniger nehmen, oder sie woanders aufhängen</translation>
+    </message>
+    <message>
+        <source>another plot is being imported: take it when that is done</source>
+        <translation>ein anderer Plan wird importiert: noch einmal, wenn das fertig ist</translation>
+    </message>
+    <message>
+        <source>the show that was made of the plot cannot be opened: no fixture file is substituted</source>
+        <translation>die Show, die aus dem Plan wurde, lässt sich nicht öffnen: keine Gerätedatei wird ersetzt</translation>
     </message>
 </context>
 <context>

@@ -33,8 +33,8 @@ Result<void> add_plot_fixtures(Show& show, const std::vector<bool>& shown,
                                const ShowLoading& loading);
 
 // The same where the show was open before: plot is show.plot's as an edit changes it, before are the fixtures
-// that it had. No file is read: types, pictures and measured light are those of before; a fixture of a type
-// that none of them has is dark, and a screen that was hidden is left out.
+// that it had. Of files only new substitutes are read: types, pictures and measured light are those of
+// before; a fixture of another type that none of them has is dark, and a screen that was hidden is left out.
 void add_known_fixtures(Show& show, const Plot& plot, const std::vector<bool>& shown,
                         const std::vector<SubstituteEntry>& substitutes,
                         const std::vector<WallSettings>& walls, const std::vector<PatchedFixture>& before);

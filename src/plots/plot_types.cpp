@@ -130,10 +130,11 @@ PlotTypes::File& PlotTypes::file(int index) {
         file.name = found.lexically_relative(folder_);
         forgive(gdtf, found.string());
     }
-    if (!known_)
-        file.type = read(gdtf, file);
-    else if (const auto known = known_->find({index, file.name}); known != known_->end())
+    const auto known = known_ ? known_->find({index, file.name}) : KnownFiles::iterator{};
+    if (known_ && known != known_->end())
         file.type = known->second;
+    else if (!known_ || file.substitute) // who chose what stands in sees it at once
+        file.type = read(gdtf, file);
     return file;
 }
 

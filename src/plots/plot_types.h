@@ -30,8 +30,8 @@ public:
               const std::vector<SubstituteEntry>& substitutes, Report& report)
         : loaded_(loaded), folder_(std::move(folder)), substitutes_(substitutes), report_(report) {}
 
-    // Of fixtures that this plot had before. No file is read from now on: one that none of them is of has no
-    // type.
+    // Of fixtures that this plot had before. Of files that none of them is of only substitutes are read from
+    // now on, for the archive is read by who opens the plot; other fixtures have no type.
     void know(const std::vector<PatchedFixture>& fixtures);
 
     struct Found {
@@ -72,9 +72,9 @@ private:
     const std::vector<SubstituteEntry>& substitutes_;
     Report& report_;
     std::map<int, File> files_;
-    // By Plot::gdtf_files and File::name; nothing: files may be read.
-    std::optional<std::map<std::pair<int, std::filesystem::path>, std::shared_ptr<const fixture::Type>>>
-        known_;
+    // By Plot::gdtf_files and File::name.
+    using KnownFiles = std::map<std::pair<int, std::filesystem::path>, std::shared_ptr<const fixture::Type>>;
+    std::optional<KnownFiles> known_; // nothing: files may be read
     std::map<std::pair<int, std::string>, WrongMode> wrong_modes_;
     std::size_t more_wrong_modes_ = 0; // fixtures that were not compared any more
 };

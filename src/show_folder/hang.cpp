@@ -24,6 +24,8 @@ constexpr float kBesideLamp_m = 0.5f;   // beyond the bar's own half width
 constexpr float kSameWay = 0.999f;      // cosine, 2.5 degrees
 constexpr float kEnd = 0.1f; // of its length, at either end and in the middle: where a bow is measured
 constexpr float kLeastBow_m = 0.1f;
+constexpr float kBetween_m = 0.02f;  // two that hang side by side
+constexpr float kRounding_m = 1e-4f; // of sums of widths
 
 struct Extent {
     float low = std::numeric_limits<float>::max();
@@ -86,6 +88,52 @@ float bow_of(std::span<const glm::vec2> plan, const glm::vec2& way, const Extent
     // Of the parabola of place_m() that much lies between the middles of where it was measured.
     constexpr float kSeen = 1 - 4 * (kEnd / 2) * (1 - kEnd / 2);
     return bends && from_begin_m * from_end_m > 0 ? 0.5f * (from_begin_m + from_end_m) / kSeen : 0;
+}
+
+float along_m(const Bar& bar, const glm::vec3& place_m) {
+    return std::clamp(glm::dot(place_m - bar.from_m, way_of(bar)), 0.0f, bar.length_m());
+}
+
+// A stretch of a bar, in metres from where it begins.
+struct Stretch {
+    float from_m = 0;
+    float to_m = 0;
+    float length() const { return to_m - from_m; }
+};
+
+// What is free of a bar, in its order. Whatever hangs at an end may stand out beyond it.
+std::vector<Stretch> free_stretches(float length_m, std::vector<Stretch> taken) {
+    std::sort(taken.begin(), taken.end(),
+              [](const Stretch& a, const Stretch& b) { return a.from_m < b.from_m; });
+    std::vector<Stretch> free;
+    float from_m = 0;
+    for (const Stretch& one : taken) {
+        if (one.from_m > from_m) free.push_back({from_m, std::min(one.from_m, length_m)});
+        from_m = std::max(from_m, one.to_m);
+    }
+    if (from_m < length_m) free.push_back({from_m, length_m});
+    return free;
+}
+
+// The middle of something that wide that is nearest to where it is wanted; nothing: it fits nowhere.
+std::optional<float> nearest_room(const std::vector<Stretch>& free, float width_m, float wanted_m) {
+    std::optional<float> nearest;
+    for (const Stretch& one : free) {
+        if (one.length() < width_m - kRounding_m) continue;
+        const float low_m = one.from_m + width_m / 2;
+        const float at_m = std::clamp(wanted_m, low_m, std::max(low_m, one.to_m - width_m / 2));
+        if (!nearest || std::abs(at_m - wanted_m) < std::abs(*nearest - wanted_m)) nearest = at_m;
+    }
+    return nearest;
+}
+
+// Where something is that many metres into what is free.
+float along_free(const std::vector<Stretch>& free, float into_m) {
+    for (const Stretch& one : free) {
+        if (into_m <= one.length()) return one.from_m + into_m;
+        into_m -= one.length();
+    }
+    return free.empty() ? 0 : free.back().to_m;
 }
 
 } // namespace
@@ -177,9 +225,8 @@ Bar joined(const Bar& piece, std::span<const Bar> all, std::vector<bool>& taken)
 
 std::optional<float> hangs_away_m(const Bar& bar, const glm::vec3& place_m) {
     const float length_m = bar.length_m();
-    const glm::vec3 along = (bar.to_m - bar.from_m) / length_m;
-    const float at_m = glm::dot(place_m - bar.from_m, along);
-    const glm::vec3 off = bar.from_m + along * at_m - place_m;
+    const float at_m = glm::dot(place_m - bar.from_m, way_of(bar));
+    const glm::vec3 off = bar.place_m(at_m / length_m) - place_m;
     if (at_m < 0 || at_m > length_m || off.z > kAboveLamp_m || off.z < -kBelowLamp_m - bar.height_m ||
         std::hypot(off.x, off.y) > kBesideLamp_m + bar.across_m / 2)
         return std::nullopt;
@@ -213,6 +260,49 @@ std::vector<glm::vec3> places_under(const Bar& bar, std::span<const glm::vec3> a
         places.push_back(bar.place_m(at));
     }
     return places;
+}
+
+std::optional<std::vector<glm::vec3>> places_beside(const Bar& bar, std::span<const BarLoad> shall,
+                                                    std::span<const BarLoad> there) {
+    if (there.empty()) {
+        std::vector<glm::vec3> are_m;
+        for (const BarLoad& one : shall) are_m.push_back(one.place_m);
+        return places_under(bar, are_m);
+    }
+    const float length_m = bar.length_m();
+    std::vector<Stretch> taken;
+    for (const BarLoad& one : there) {
+        const float at_m = along_m(bar, one.place_m), half_m = one.width_m / 2 + kBetween_m;
+        taken.push_back({at_m - half_m, at_m + half_m});
+    }
+    const std::vector<Stretch> free = free_stretches(length_m, taken);
+    float free_m = 0;
+    for (const Stretch& one : free) free_m += one.length();
+    // First where they are wanted, or near; where that leaves rests too small, one behind the other.
+    for (const bool packs : {false, true}) {
+        std::vector<Stretch> all = taken;
+        std::vector<float> at_m;
+        for (std::size_t i = 0; i < shall.size(); ++i) {
+            const float share = (static_cast<float>(i) + 0.5f) / static_cast<float>(shall.size());
+            const float wanted_m = packs               ? 0
+                                   : shall.size() == 1 ? along_m(bar, shall[0].place_m)
+                                                       : along_free(free, share * free_m);
+            const auto found = nearest_room(free_stretches(length_m, all), shall[i].width_m, wanted_m);
+            if (!found) break;
+            at_m.push_back(*found);
+            const float half_m = shall[i].width_m / 2 + kBetween_m;
+            all.push_back({*found - half_m, *found + half_m});
+        }
+        if (at_m.size() < shall.size()) continue;
+        const bool are_alike = std::all_of(shall.begin(), shall.end(), [&](const BarLoad& one) {
+            return std::abs(one.width_m - shall[0].width_m) < kRounding_m;
+        });
+        if (are_alike) std::sort(at_m.begin(), at_m.end()); // the first stays leftmost
+        std::vector<glm::vec3> places;
+        for (const float one_m : at_m) places.push_back(bar.place_m(one_m / length_m));
+        return places;
+    }
+    return std::nullopt;
 }
 
 } // namespace ghost::scene

@@ -46,4 +46,14 @@ std::optional<std::size_t> nearest_bar(std::span<const Bar> all, const glm::vec3
 // One goes to the place nearest to where it is; several spread evenly, each in the middle of its share.
 std::vector<glm::vec3> places_under(const Bar& bar, std::span<const glm::vec3> are_m);
 
+// What hangs under a bar, or shall: where it is, and how much of the bar's length it takes.
+struct BarLoad {
+    glm::vec3 place_m{0};
+    float width_m = 0;
+};
+// As places_under, beside what hangs there: several spread over what is free of the bar. Nothing: there is no
+// room beside the others.
+std::optional<std::vector<glm::vec3>> places_beside(const Bar& bar, std::span<const BarLoad> shall,
+                                                    std::span<const BarLoad> there);
+
 } // namespace ghost::scene

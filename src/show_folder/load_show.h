@@ -26,9 +26,9 @@ Result<Show> load_show_text(const std::filesystem::path& file, const std::string
                             Report& report, const ShowLoading& loading);
 
 // The show that was open, with fixtures, cameras and air as the text has them, for who must show an edit at
-// once: its fixtures are those that load_show_text would give. Of files, only those of [[fixture]] that were
-// not read before are opened: a fixture of the plot that needs such a one is dark, and a screen that was
-// hidden is not there, until the show is opened.
+// once: its fixtures are those that load_show_text would give. Of files, only those of [[fixture]] and
+// [[substitute]] that were not read before are opened: a fixture of the plot that needs another one is dark,
+// and a screen that was hidden is not there, until the show is opened.
 Result<Show> preview_edit(const Show& before, const std::string& text);
 
 // The model of stage_file and all that the plot draws. What cannot be read goes to the report. Error:

@@ -29,13 +29,13 @@ NAMELESS = STUB.replace('Attribute="Dimmer"', 'Attribute="Dimmer1"').replace("</
 <LogicalChannel Attribute="Dimmer2"><ChannelFunction Attribute="Dimmer2"/></LogicalChannel></DMXChannel></DMXChannels>""")
 
 
-def plot(path, has_file=True, description=STUB):
-    """Three heads of the stub, in a file with their GDTF, or without."""
+def plot(path, has_file=True, description=STUB, specs=("Nobody@Stub.gdtf",)):
+    """Three heads of the stub, in a file with their GDTF, or without; specs: the files that they ask for, in turn."""
     stub = path.parent / "stub.gdtf"
     with zipfile.ZipFile(stub, "w") as archive:
         archive.writestr("description.xml", description)
     heads = "".join(f"""<Fixture name="Head {i + 1}" uuid="3333333{i}-2222-4222-8222-222222222222">
-<Matrix>{{1,0,0}}{{0,1,0}}{{0,0,1}}{{{2000 * i},1000,6000}}</Matrix><GDTFSpec>Nobody@Stub.gdtf</GDTFSpec><GDTFMode>Standard</GDTFMode>
+<Matrix>{{1,0,0}}{{0,1,0}}{{0,0,1}}{{{2000 * i},1000,6000}}</Matrix><GDTFSpec>{specs[i % len(specs)]}</GDTFSpec><GDTFMode>Standard</GDTFMode>
 <Addresses><Address break="0">{1 + i}</Address></Addresses></Fixture>""" for i in range(3))
     with zipfile.ZipFile(path, "w") as archive:
         archive.writestr("GeneralSceneDescription.xml", f"""<?xml version="1.0" encoding="UTF-8"?>
@@ -120,6 +120,25 @@ class FirstMinutes(unittest.TestCase):
             self.assertIn('gdtf = "Ghostlight@LED_Par.gdtf"\nmode = "Dimmer RGB"', (WORK / "bare/show.toml").read_text())
             window.do("undo", "undo")
             window.until(lambda state: [one["file"] for one in state["plot_page"]["lightless"]] == ["Nobody@Stub.gdtf"])
+        finally:
+            self.assertEqual(window.close(), 0)
+
+    def test_files_that_are_taken_while_the_plot_becomes_a_show(self):
+        plot(WORK / "two.mvr", has_file=False, specs=("Nobody@Stub.gdtf", "Nobody@Other.gdtf"))
+        window = Window("--size", "900x600", "--no-desk", "--quiet", show=WORK / "two.mvr")
+        try:
+            window.do("wait opened")
+            window.until(lambda state: "plot_page" in state)
+            # The first makes a show of it. The second comes when that is made and not open yet: it is no reason to make it once more,
+            # and the first one stays.
+            window.do(f'substitute Nobody@Stub.gdtf "{WORK / "fixtures" / "Ghostlight@LED_Par.gdtf"}" "Dimmer RGB"', "wait jobs",
+                      f'substitute Nobody@Other.gdtf "{WORK / "fixtures" / SPOT}"')
+            window.until(lambda state: state["show"].endswith("two/show.toml") and not state.get("plot_page", {"lightless": 1})["lightless"])
+            window.do("save")
+            text = (WORK / "two/show.toml").read_text()
+            self.assertIn('for = "Nobody@Stub.gdtf"', text)
+            self.assertIn('for = "Nobody@Other.gdtf"', text)
+            self.assertEqual(len(list((WORK / "two").glob("*.mvr"))), 1, "it was imported once")
         finally:
             self.assertEqual(window.close(), 0)
 

@@ -2,6 +2,7 @@
 // Trusses and pipes as boxes whose undersides are known.
 #include "show_folder/hang.h"
 
+#include <algorithm>
 #include <array>
 #include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>
@@ -114,6 +115,37 @@ TEST(Hang, one_goes_to_the_nearest_place_and_several_spread) {
     const auto four = places_under(bar, std::array<glm::vec3, 4>{});
     for (int i = 0; i < 4; ++i)
         expect_near(four[static_cast<std::size_t>(i)], {-3.0f + 2.0f * static_cast<float>(i), 8, 6});
+}
+
+// Middles of what hangs along X, with what was there, in order; none comes nearer to another than its width.
+std::vector<float> beside(const std::vector<float>& wanted_m, const std::vector<float>& there_m,
+                          float width_m) {
+    const Bar bar{{-4, 8, 6}, {4, 8, 6}, 0.4f};
+    std::vector<BarLoad> shall, there;
+    for (const float x_m : wanted_m) shall.push_back({{x_m, 2, 3}, width_m});
+    for (const float x_m : there_m) there.push_back({{x_m, 8, 6}, width_m});
+    const auto places = places_beside(bar, shall, there);
+    if (!places) return {};
+    std::vector<float> made_m, all_m = there_m;
+    for (const glm::vec3& place_m : *places) made_m.push_back(place_m.x);
+    all_m.insert(all_m.end(), made_m.begin(), made_m.end());
+    std::sort(all_m.begin(), all_m.end());
+    for (std::size_t i = 1; i < all_m.size(); ++i) EXPECT_GE(all_m[i] - all_m[i - 1], width_m - 1e-3f) << i;
+    EXPECT_TRUE(std::is_sorted(made_m.begin(), made_m.end()));
+    return made_m;
+}
+
+TEST(Hang, what_hangs_there_is_left_room) {
+    EXPECT_EQ(beside({1}, {}, 0.4f), std::vector<float>{1});
+    EXPECT_EQ(beside({1}, {3}, 0.4f), std::vector<float>{1}) << "nothing is in its way";
+    EXPECT_NEAR(beside({1}, {1.1f}, 0.4f).at(0), 0.68f, 1e-3f) << "on the side where it is";
+    EXPECT_NEAR(beside({9}, {4}, 0.4f).at(0), 3.58f, 1e-3f);
+    EXPECT_EQ(beside({0, 0, 0, 0}, {-3, -1, 1, 3}, 0.4f).size(), 4u);
+    EXPECT_EQ(beside({0, 0, 0}, {0}, 2.5f).size(), 0u) << "two fit, three do not";
+    EXPECT_EQ(beside({0, 0}, {0}, 2.5f).size(), 2u);
+    EXPECT_EQ(beside({0, 0, 0, 0, 0, 0}, {-3.4f}, 1.15f).size(), 0u);
+    EXPECT_EQ(beside({0, 0, 0, 0, 0, 0}, {-3.4f}, 1.0f).size(), 6u) << "one behind the other";
+    EXPECT_EQ(beside({0}, {-3, -2, -1, 0, 1, 2, 3}, 1.0f).size(), 0u);
 }
 
 } // namespace

@@ -184,7 +184,21 @@ TEST(PreviewEdit, HasTheFixturesOfTheShowOpenedAnew) {
     }
 }
 
-// What needs a file waits until the show is opened.
+// Who chooses what stands in for a file waits for nothing.
+TEST(PreviewEdit, ReadsWhatStandsIn) {
+    const Folder folder;
+    const auto head = head_gdtf(R"(<DMXMode Name="Narrow" Geometry="Base"/>)");
+    ASSERT_TRUE(write_file_atomic(folder.folder / "stand_in.gdtf", head).ok());
+    const std::string edit =
+        "[[substitute]]\nfor = \"Gone.gdtf\"\ngdtf = \"stand_in.gdtf\"\nmode = \"Narrow\"\n";
+    const auto there = preview_edit(folder.read(""), Folder::text(edit));
+    ASSERT_TRUE(there.ok()) << there.error().text();
+    expect_same(*there, folder.read(edit));
+    ASSERT_NE(named(*there, "Unread").type, nullptr);
+    EXPECT_EQ(named(*there, "Unread").patch().mode_of().name, "Narrow");
+}
+
+// What needs a file of the plot waits until the show is opened.
 TEST(PreviewEdit, ReadsNoFileOfThePlot) {
     const Folder folder;
     const std::string hides = change(22, "hidden = true") + change(26, "hidden = true");

@@ -33,6 +33,43 @@ Result<std::vector<glm::vec3>> places_of_selection(const AppModel& app, ShowDocu
     return places;
 }
 
+// How much of a bar's length a fixture takes there: its body at rest, between its ends along the bar.
+float width_of(const scene::PatchedFixture& fixture, const glm::vec3& way) {
+    constexpr float kUnknown_m = 0.3f;
+    if (!fixture.type) return kUnknown_m;
+    const fixture::Mode& mode = fixture.patch().mode_of();
+    const glm::mat4 turn = scene::placed({}, fixture.rotation_deg);
+    std::vector<glm::mat4> to_fixture;
+    float low_m = 0, high_m = 0;
+    for (const fixture::Node& node : mode.nodes) {
+        const auto parent = static_cast<std::size_t>(node.parent);
+        to_fixture.push_back(node.parent < 0 ? turn * node.local : to_fixture[parent] * node.local);
+        if (node.model < 0) continue;
+        const glm::vec3 size_m = fixture.type->models[static_cast<std::size_t>(node.model)].size_m;
+        float half_m = 0;
+        for (int axis = 0; axis < 3; ++axis)
+            half_m += 0.5f * size_m[axis] * std::abs(glm::dot(glm::vec3(to_fixture.back()[axis]), way));
+        const float at_m = glm::dot(glm::vec3(to_fixture.back()[3]), way);
+        low_m = std::min(low_m, at_m - half_m);
+        high_m = std::max(high_m, at_m + half_m);
+    }
+    // As wide to both sides of its clamp, for that is its place.
+    const float width_m = 2 * std::max(-low_m, high_m);
+    return width_m > 0 ? width_m : kUnknown_m;
+}
+
+// All that hangs under a bar, but those.
+std::vector<scene::BarLoad> what_hangs(const scene::Bar& bar,
+                                       const std::vector<scene::PatchedFixture>& fixtures,
+                                       const std::set<std::size_t>& but) {
+    const glm::vec3 way = glm::normalize(bar.to_m - bar.from_m);
+    std::vector<scene::BarLoad> there;
+    for (std::size_t i = 0; i < fixtures.size(); ++i)
+        if (!but.contains(i) && !fixtures[i].track && scene::hangs_away_m(bar, fixtures[i].position_m))
+            there.push_back({fixtures[i].position_m, width_of(fixtures[i], way)});
+    return there;
+}
+
 // The whole truss that a piece is of; the names of all its pieces, each once.
 scene::Bar take_pieces(const std::vector<Object>& objects, std::size_t piece,
                        std::vector<std::string>& names) {
@@ -117,7 +154,7 @@ Result<void> set_address(AppModel& app, ShowDocument& document, const QStringLis
 } // namespace
 
 Result<void> hang_under(AppModel& app, ShowDocument& document, std::size_t object) {
-    TRY(const std::vector<glm::vec3> are_m, places_of_selection(app, document));
+    TRY_VOID(places_of_selection(app, document));
     const std::vector<Object>& objects = app.opened().objects;
     if (object >= objects.size() || !objects[object].bar)
         return Error{"does not lie like a truss or a pipe, so nothing hangs under it",
@@ -125,11 +162,23 @@ Result<void> hang_under(AppModel& app, ShowDocument& document, std::size_t objec
     std::vector<scene::Bar> pieces;
     for (const Object& one : objects)
         if (one.bar && scene::is_slender(*one.bar)) pieces.push_back(*one.bar);
-    std::vector<glm::vec3> places = scene::places_under(scene::joined(*objects[object].bar, pieces), are_m);
-    for (glm::vec3& place_m : places) place_m = in_millimetres(place_m);
+    const scene::Bar bar = scene::joined(*objects[object].bar, pieces);
+    const glm::vec3 way = glm::normalize(bar.to_m - bar.from_m);
+    std::vector<scene::BarLoad> shall;
+    for (const std::size_t index : app.selection()) {
+        const scene::PatchedFixture& fixture = app.show()->fixtures[index];
+        shall.push_back({fixture.position_m, width_of(fixture, way)});
+    }
+    std::optional<std::vector<glm::vec3>> places =
+        scene::places_beside(bar, shall, what_hangs(bar, app.show()->fixtures, app.selection()));
+    if (!places)
+        return Error{"has no room beside what hangs there for " + std::to_string(shall.size()) +
+                         " more; take fewer, or hang them elsewhere",
+                     objects[object].name};
+    for (glm::vec3& place_m : *places) place_m = in_millimetres(place_m);
     return PatchEdit(app, document)
         .set_positions(
-            translated("Undo", "Hung under '%1'").arg(QString::fromStdString(objects[object].name)), places);
+            translated("Undo", "Hung under '%1'").arg(QString::fromStdString(objects[object].name)), *places);
 }
 
 Result<void> hang(AppModel& app, ShowDocument& document, const QString& pattern) {
@@ -157,7 +206,8 @@ Result<void> hang(AppModel& app, ShowDocument& document, const QString& pattern)
     return hang_under(app, document, of_bar[*nearest]);
 }
 
-glm::vec3 place_above(const std::vector<Object>& objects, const glm::vec3& floor_m, float lowest_m) {
+glm::vec3 place_above(const std::vector<Object>& objects, const std::vector<scene::PatchedFixture>& others,
+                      const scene::PatchedFixture& made, const glm::vec3& floor_m, float lowest_m) {
     std::vector<scene::Bar> pieces, on_plan; // what is above what counts for nothing there
     for (const Object& object : objects) {
         if (!object.bar || !object.shown || !scene::is_slender(*object.bar) ||
@@ -170,8 +220,10 @@ glm::vec3 place_above(const std::vector<Object>& objects, const glm::vec3& floor
     const glm::vec3 at_m(floor_m.x, floor_m.y, 0);
     const std::optional<std::size_t> nearest = scene::nearest_bar(on_plan, at_m);
     if (!nearest) return in_millimetres({floor_m.x, floor_m.y, std::max(floor_m.z, lowest_m)});
-    return in_millimetres(
-        scene::places_under(scene::joined(pieces[*nearest], pieces), std::array{at_m}).front());
+    const scene::Bar bar = scene::joined(pieces[*nearest], pieces);
+    const std::array shall{scene::BarLoad{at_m, width_of(made, glm::normalize(bar.to_m - bar.from_m))}};
+    const auto beside = scene::places_beside(bar, shall, what_hangs(bar, others, {}));
+    return in_millimetres(beside ? beside->front() : scene::places_under(bar, std::array{at_m}).front());
 }
 
 Result<void> fly_on_hoists(AppModel& app, ShowDocument& document, std::size_t object) {

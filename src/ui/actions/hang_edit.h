@@ -4,6 +4,7 @@
 // hoists ([[mover]] of the show); each one step of the undo list. Errors: nothing is selected, or there is no
 // such truss. Window thread.
 
+#include "show/show.h"
 #include "ui/actions/actions.h"
 #include "ui/model/show_document.h"
 
@@ -11,14 +12,15 @@
 
 namespace ghost::ui {
 
-// object: of Opened::objects.
+// Beside what hangs there. object: of Opened::objects.
 Result<void> hang_under(AppModel& app, ShowDocument& document, std::size_t object);
-// Under the truss nearest to them; pattern: of the objects called so, if it is not empty.
+// The same under the truss nearest to them; pattern: of the objects called so, if it is not empty.
 Result<void> hang(AppModel& app, ShowDocument& document, const QString& pattern);
 
-// For a new fixture: under the truss or pipe above a place of the floor, or the nearest one beside it; where
-// there is none, at least at lowest_m.
-glm::vec3 place_above(const std::vector<Object>& objects, const glm::vec3& floor_m, float lowest_m);
+// For a new fixture: under the truss or pipe above a place of the floor, or the nearest one, beside those of
+// the others that hang there; where there is no such truss, at least at lowest_m.
+glm::vec3 place_above(const std::vector<Object>& objects, const std::vector<scene::PatchedFixture>& others,
+                      const scene::PatchedFixture& made, const glm::vec3& floor_m, float lowest_m);
 
 // The truss with all its pieces and what hangs under it, on hoists a fifth from its ends, at a free address.
 // object: of Opened::objects.

@@ -7,7 +7,7 @@
 #include "fixture_files/load_type.h"
 #include "show/free_address.h"
 #include "show/names.h"
-#include "show_file/show_edit.h"
+#include "show_file/fixture_names_edit.h"
 #include "ui/language/language.h"
 
 #include <algorithm>
@@ -67,7 +67,8 @@ std::vector<fixture::Patch> PatchEdit::patches() const {
 
 // f: what becomes of each selected fixture, in their order.
 template <class F>
-Result<void> PatchEdit::edit_each(const QString& what, F&& f) {
+Result<std::vector<std::pair<scene::FixturePlace, scene::FixtureEdit>>>
+PatchEdit::edits_of_each(F&& f) const {
     TRY_VOID(check());
     std::vector<std::pair<scene::FixturePlace, scene::FixtureEdit>> edits;
     for (const std::size_t index : chosen()) {
@@ -76,6 +77,12 @@ Result<void> PatchEdit::edit_each(const QString& what, F&& f) {
         TRY_VOID(f(fixtures()[index], edit));
         edits.emplace_back(scene::place_of(fixtures()[index], index), edit);
     }
+    return edits;
+}
+
+template <class F>
+Result<void> PatchEdit::edit_each(const QString& what, F&& f) {
+    TRY(const auto edits, edits_of_each(f));
     TRY(std::string text, scene::edit_fixtures(document_.text(), edits));
     return document_.edit(what + by_, {std::move(text), app_.look(), app_.selection()});
 }
@@ -104,20 +111,28 @@ Result<void> PatchEdit::rename(const QString& name) {
         return Error{"'" + next + "' is no name: 1 to 100 bytes, no leading dot, none of /\\:*?\"<>|", ""};
     const bool several = chosen().size() > 1;
     if (!several && taken.contains(next)) return Error{"another fixture is called '" + next + "'", ""};
-    return edit_each(translated("Undo", "Name"),
-                     [&](const scene::PatchedFixture&, scene::FixtureEdit& edit) -> Result<void> {
-                         if (several) {
-                             // "Spot" -> Spot 1, Spot 2; "Spot 5" -> Spot 5, Spot 6.
-                             if (next.find_last_of("0123456789") != next.size() - 1) next += " 1";
-                             if (!taken.insert(next).second) next = next_name(next, taken);
-                             edit.name = next;
-                             std::set<std::string> none;
-                             next = next_name(next, none);
-                         } else {
-                             edit.name = next;
-                         }
-                         return {};
-                     });
+    scene::FixtureNames renamed;
+    const auto call = [&](const scene::PatchedFixture& fixture, scene::FixtureEdit& edit) -> Result<void> {
+        if (several) {
+            // "Spot" -> Spot 1, Spot 2; "Spot 5" -> Spot 5, Spot 6.
+            if (next.find_last_of("0123456789") != next.size() - 1) next += " 1";
+            if (!taken.insert(next).second) next = next_name(next, taken);
+            edit.name = next;
+            std::set<std::string> none;
+            next = next_name(next, none);
+        } else {
+            edit.name = next;
+            taken.insert(next);
+        }
+        if (fixture.name != *edit.name) renamed[fixture.name] = *edit.name;
+        if (!fixture.written_name.empty()) renamed[fixture.written_name] = *edit.name;
+        return {};
+    };
+    TRY(const auto edits, edits_of_each(call));
+    TRY(std::string text, scene::edit_fixtures(document_.text(), edits));
+    TRY(text, scene::rename_in_references(text, renamed, taken));
+    return document_.edit_names(translated("Undo", "Name") + by_,
+                                {std::move(text), app_.look(), app_.selection()}, renamed);
 }
 
 Result<void> PatchEdit::set_mode(const QString& mode) {

@@ -5,6 +5,7 @@
 // thread.
 
 #include "show/show.h"
+#include "show_file/show_edit.h"
 #include "ui/model/show_document.h"
 
 #include <QString>
@@ -12,6 +13,7 @@
 #include <optional>
 #include <set>
 #include <utility>
+#include <vector>
 
 namespace ghost::ui {
 
@@ -29,7 +31,7 @@ public:
     // The first gets it, the others follow one behind the other, in the order of the show; channel 0: not
     // patched.
     Result<void> set_address(fixture::Address from);
-    // Several get numbers behind it.
+    // Several get numbers behind it. What refers to them by name has the new one, too, looks among them.
     Result<void> rename(const QString& name);
     Result<void> set_mode(const QString& mode);
     Result<void> set_position(const glm::vec3& position_m);
@@ -65,6 +67,8 @@ private:
     const Fixtures& fixtures() const { return app_.show()->fixtures; }
     template <class F>
     Result<void> edit_each(const QString& what, F&& f);
+    template <class F>
+    Result<std::vector<std::pair<scene::FixturePlace, scene::FixtureEdit>>> edits_of_each(F&& f) const;
     std::vector<fixture::Patch> patches() const;
     std::optional<fixture::Address> address_for_new(int footprint) const;
     // The path as the show writes it; a file from elsewhere is copied beside the show.

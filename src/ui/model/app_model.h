@@ -30,6 +30,8 @@ public:
     // What the engine said last.
     const std::shared_ptr<const scene::Show>& show() const { return opened_.show; } // null: none is open
     const Opened& opened() const { return opened_; }
+    // Whether the newest edit is shown here and not yet by the engine, which reads the show for it.
+    bool is_taking_edit() const { return request_.text && request_.text != opened_.text; }
     const Picture& picture() const { return picture_; }
     const RigNow& rig() const { return rig_; }
     const dmx::Statistics& network() const { return network_; }

@@ -13,7 +13,8 @@ QString number(float value) {
     return QString::number(static_cast<double>(value), 'g', 6);
 }
 
-QString text_of(const scene::PatchedFixture& fixture, int column) {
+// waits: the show is being read.
+QString text_of(const scene::PatchedFixture& fixture, int column, bool waits) {
     switch (column) {
     case FixtureList::name:
         return QString::fromStdString(fixture.name);
@@ -22,8 +23,9 @@ QString text_of(const scene::PatchedFixture& fixture, int column) {
                    ? QString("%1.%2").arg(fixture.universe).arg(fixture.address, 3, 10, QChar('0'))
                    : translated("Fixtures", "none");
     case FixtureList::type:
-        return fixture.type ? QString::fromStdString(fixture.type->name)
-                            : translated("Fixtures", "file cannot be read");
+        if (fixture.type) return QString::fromStdString(fixture.type->name);
+        return waits ? translated("Fixtures", "file is being read")
+                     : translated("Fixtures", "file cannot be read");
     case FixtureList::mode:
         return fixture.type ? QString::fromStdString(fixture.patch().mode_of().name) : QString();
     case FixtureList::x:
@@ -51,7 +53,7 @@ QVariant order_of(const scene::PatchedFixture& fixture, const FixtureNow* now, i
     case FixtureList::z:
         return static_cast<double>(fixture.position_m[column - FixtureList::x]);
     default:
-        return text_of(fixture, column);
+        return text_of(fixture, column, false);
     }
 }
 
@@ -103,7 +105,8 @@ QVariant FixtureList::data(const QModelIndex& index, int role) const {
     const FixtureNow* now = row < app_.rig().fixtures.size() ? &app_.rig().fixtures[row] : nullptr;
     if (role == Qt::DisplayRole && index.column() == level)
         return now ? QString("%1 %").arg(100 * static_cast<double>(now->dimmer), 0, 'f', 0) : QString();
-    if (role == Qt::DisplayRole || role == Qt::EditRole) return text_of(fixture, index.column());
+    if (role == Qt::DisplayRole || role == Qt::EditRole)
+        return text_of(fixture, index.column(), app_.is_taking_edit());
     if (role == kOrder) return order_of(fixture, now, index.column());
     if (role == kLight && index.column() == colour && now && now->candela > 0)
         return QVariant::fromValue(now->colour);
@@ -111,7 +114,7 @@ QVariant FixtureList::data(const QModelIndex& index, int role) const {
         return QVariant::fromValue(Qt::Alignment(Qt::AlignRight | Qt::AlignVCenter));
     if (role == kIsWrong)
         return (index.column() == patch && (fixture.address <= 0 || shared_.contains(row))) ||
-               (index.column() == type && !fixture.type);
+               (index.column() == type && !fixture.type && !app_.is_taking_edit());
     if (role == kIsByHand) return index.column() == level && app_.look().fixtures.contains(row);
     if (role == Qt::ToolTipRole) {
         if (shared_.contains(row))

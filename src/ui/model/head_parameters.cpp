@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/model/head_parameters.h"
+
+#include "fixture/decode.h"
 #include "show/show.h"
 #include "ui/language/language.h"
 
@@ -165,7 +167,7 @@ std::vector<ParameterRange> ranges_of(const Channel& channel) {
         for (const fixture::ChannelSet& set : function.sets) {
             if (set.name.empty()) continue;
             ranges.push_back({QString::fromStdString(set.name), share_of(channel, set.dmx_from),
-                              share_of(channel, set.dmx_to)});
+                              share_of(channel, set.dmx_to), function.wheel, set.slot});
             named = true;
         }
         if (!named)
@@ -228,6 +230,14 @@ QString meaning_of(const Channel& channel, std::uint32_t raw) {
 
 } // namespace
 
+int gobo_wheel_of(const scene::PatchedFixture& fixture) {
+    if (!fixture.type) return -1;
+    for (const fixture::Optics& optics : fixture::decode(fixture.patch(), {}).beams)
+        if (!optics.gobo_wheels.empty() && optics.gobo_wheels.front().wheel >= 0)
+            return optics.gobo_wheels.front().wheel;
+    return -1;
+}
+
 std::string attribute_of(const Channel& channel) {
     return channel.logical.empty() ? channel.name : channel.logical.front().attribute;
 }
@@ -254,7 +264,8 @@ std::vector<HeadParameter> parameters_of(const scene::Show& show, const std::set
             const std::string attribute = attribute_of(channel);
             const Role role = role_of(channel);
             if (channel.offsets.empty() || has_own_row(role) || !known.insert(attribute).second) continue;
-            parameters.push_back({attribute, group_of_role(role), words_of(attribute), ranges_of(channel)});
+            parameters.push_back({attribute, group_of_role(role), words_of(attribute), ranges_of(channel),
+                                  show.fixtures[index].type});
         }
     }
     std::stable_sort(parameters.begin(), parameters.end(), [](const auto& a, const auto& b) {

@@ -8,6 +8,7 @@
 #include <QString>
 
 #include <map>
+#include <memory>
 #include <optional>
 #include <set>
 #include <string>
@@ -25,6 +26,8 @@ struct ParameterRange {
     QString name;
     float from = 0; // shares of the channel's range
     float to = 0;
+    int wheel = -1; // of HeadParameter::type, with what is seen there; -1: none
+    int slot = -1;
 };
 
 struct HeadParameter {
@@ -32,6 +35,7 @@ struct HeadParameter {
     QString group;         // "Gobo"
     QString name;          // "Gobo wheel 2"
     std::vector<ParameterRange> ranges;
+    std::shared_ptr<const fixture::Type> type; // whose ranges these are
 };
 
 // Of the selected fixtures that have a type: each attribute once, by groups. ranges are those of the first
@@ -49,6 +53,9 @@ std::vector<std::optional<ParameterValue>> values_of(const scene::PatchedFixture
                                                      const fixture::Programmer& programmer,
                                                      const fixture::Levels& levels,
                                                      const std::vector<HeadParameter>& parameters);
+
+// Type::wheels: the one whose slots fixture::gobo_names() lists; -1: there is none.
+int gobo_wheel_of(const scene::PatchedFixture& fixture);
 
 // What a channel is called by, what the first of its functions that a picture shows does, and its group.
 std::string attribute_of(const fixture::Channel& channel);

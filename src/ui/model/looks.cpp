@@ -266,6 +266,24 @@ Result<void> Looks::remove(const std::string& name) {
     return edit(translated("Undo", "remove look"), std::move(after));
 }
 
+void Looks::rename_fixtures(const std::map<std::string, std::string>& renamed) {
+    if (!app_.show()) return;
+    take_changes();
+    List after = looks_;
+    for (scene::StoredLook& look : after) {
+        std::map<std::string, fixture::Programmer> fixtures;
+        for (const bool has_moved : {false, true}) // values of no fixture give way to those of one
+            for (const auto& [name, programmer] : look.fixtures)
+                if (const auto to = renamed.find(name); (to != renamed.end()) == has_moved)
+                    fixtures.insert_or_assign(has_moved ? to->second : name, programmer);
+        look.fixtures = std::move(fixtures);
+    }
+    if (damage_.empty() && after == looks_) return;
+    if (const Result<void> done = edit(translated("Undo", "Name"), std::move(after)); !done.ok())
+        Q_EMIT app_.failed(
+            translated("Notice", "Looks keep the old names of fixtures: %1").arg(said(done.error().text())));
+}
+
 std::string Looks::current() const {
     if (!app_.show()) return "";
     const auto is_there = [&](const scene::StoredLook& look) {

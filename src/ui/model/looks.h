@@ -12,6 +12,7 @@
 #include <QObject>
 
 #include <filesystem>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -37,6 +38,9 @@ public:
     Result<void> rename(const std::string& name, const std::string& to);
     Result<void> set_fade(const std::string& name, double seconds);
     Result<void> remove(const std::string& name);
+    // Fixtures that got other names, from the old one to the new one: their values stay theirs, in all looks.
+    // A file with a mistake stays as it is, which is said.
+    void rename_fixtures(const std::map<std::string, std::string>& renamed);
 
 Q_SIGNALS:
     void changed();

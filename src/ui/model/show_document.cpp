@@ -19,6 +19,21 @@ constexpr int kDraftAgain_ms = 5000; // where it could not be written
 constexpr int kLookAgain_ms = 1000;
 constexpr int kGoneAfter = 2; // looks, for editors take a file away for a moment
 
+// Of fixtures at the same place in both, names that only the one and only the other has. Where fixtures came
+// or went nobody knows which is which.
+ShowDocument::FixtureNames names_back(const scene::Show& from, const scene::Show& to) {
+    ShowDocument::FixtureNames names;
+    if (from.fixtures.size() != to.fixtures.size()) return names;
+    std::set<std::string> of_from, of_to;
+    for (const scene::PatchedFixture& fixture : from.fixtures) of_from.insert(fixture.name);
+    for (const scene::PatchedFixture& fixture : to.fixtures) of_to.insert(fixture.name);
+    for (std::size_t i = 0; i < to.fixtures.size(); ++i)
+        if (const std::string& was = from.fixtures[i].name, &is = to.fixtures[i].name;
+            from.fixtures[i].uuid == to.fixtures[i].uuid && !of_to.contains(was) && !of_from.contains(is))
+            names[was] = is;
+    return names;
+}
+
 } // namespace
 
 // From one text to another, with what is by index of the fixture.
@@ -62,6 +77,15 @@ ShowDocument::ShowDocument(AppModel& app) : app_(app) {
     connect(&app_, &AppModel::opened_show, this, [this] {
         const bool goes_on = app_.opened().again && app_.show()->file == file_;
         if (!app_.opened().is_edit && !goes_on) read_opened();
+        // What was edited while it was opened is in the text and not in what was opened, whose fixtures may
+        // be other ones by their numbers.
+        if (!app_.opened().is_edit && goes_on && app_.is_taking_edit())
+            QMetaObject::invokeMethod(
+                this,
+                [this] {
+                    put({text_, app_.look(), app_.selection()});
+                },
+                Qt::QueuedConnection);
     });
 }
 
@@ -185,17 +209,42 @@ Result<void> ShowDocument::why_not_editable() const {
 }
 
 Result<void> ShowDocument::edit(const QString& what, Edit edit, int kind) {
+    TRY(const bool changes, prepare(edit));
+    if (changes) push(what, std::move(edit), kind);
+    return {};
+}
+
+// Whether it changes anything; it opens then.
+Result<bool> ShowDocument::prepare(const Edit& edit) {
     TRY_VOID(check_editable());
-    if (edit.text == text_) return {};
-    TRY_VOID(scene::preview_edit(*app_.show(), edit.text)); // one that opens
+    if (edit.text == text_) return false;
+    TRY(scene::Show preview, scene::preview_edit(*app_.show(), edit.text));
+    prepared_ = {edit.text, std::move(preview)};
+    return true;
+}
+
+void ShowDocument::push(const QString& what, Edit edit, int kind) {
     Edit before{text_, app_.look(), app_.selection()};
     app_.undo_stack().push(new EditStep(*this, std::move(before), std::move(edit), what, kind));
+    prepared_.reset();
+}
+
+Result<void> ShowDocument::edit_names(const QString& what, Edit edit, const FixtureNames& renamed) {
+    TRY(const bool changes, prepare(edit));
+    if (!changes) return {};
+    app_.undo_stack().beginMacro(what);
+    push(what, std::move(edit), 0);
+    if (!renamed.empty()) Q_EMIT fixtures_renamed(renamed);
+    app_.undo_stack().endMacro();
     return {};
 }
 
 void ShowDocument::put(const Edit& edit) {
     text_ = edit.text;
-    if (auto preview = scene::preview_edit(*app_.show(), text_); preview.ok())
+    auto preview = prepared_ && prepared_->text == text_ ? Result<scene::Show>(std::move(prepared_->show))
+                                                         : scene::preview_edit(*app_.show(), text_);
+    prepared_.reset();
+    if (preview.ok())
         app_.put_edit(std::make_shared<const std::string>(text_), std::move(*preview), edit.look,
                       edit.selection);
     // Who types on must not put it off.
@@ -366,8 +415,12 @@ Result<void> ShowDocument::take_over() {
 Result<void> ShowDocument::drop_draft() {
     notice_loss();
     if (!draft_) return Error{"there are no changes of an earlier time", ""};
+    // Looks were renamed with the fixtures of the draft, and written.
+    const auto dropped = scene::preview_edit(*app_.show(), *draft_);
+    const FixtureNames back = dropped.ok() ? names_back(*dropped, *app_.show()) : FixtureNames{};
     draft_.reset();
     drafts_.remove();
+    if (!back.empty()) Q_EMIT fixtures_renamed(back);
     Q_EMIT changed();
     return {};
 }

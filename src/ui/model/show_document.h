@@ -5,6 +5,7 @@
 // (ui/model/drafts.h) half a second later, so that neither a crash nor a window that is closed loses more;
 // the next time it is offered. Errors go to who asked. Window thread.
 
+#include "show/show.h"
 #include "show_folder/hold.h"
 #include "ui/model/app_model.h"
 #include "ui/model/drafts.h"
@@ -14,6 +15,7 @@
 #include <QTimer>
 
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -28,6 +30,7 @@ public:
 
     const std::string& text() const { return text_; }
     bool is_changed() const { return text_ != saved_; }
+    using FixtureNames = std::map<std::string, std::string>; // from the old name to the new one
     // Changes of an earlier window, or of one that crashed, that wait for take_draft or drop_draft; nothing
     // is edited before.
     bool has_draft() const { return draft_.has_value(); }
@@ -54,6 +57,8 @@ public:
     // Edits of one kind that follow each other closely, as those of a slider, are one step; kind 0: always a
     // step of its own.
     Result<void> edit(const QString& what, Edit edit, int kind = 0);
+    // Likewise, one step together with what fixtures_renamed brings about.
+    Result<void> edit_names(const QString& what, Edit edit, const FixtureNames& renamed);
 
     // Whole or not at all. Error: cannot be written, or the file was changed outside meanwhile and over is
     // false.
@@ -71,6 +76,8 @@ public:
 
 Q_SIGNALS:
     void changed(); // any of the above
+    // What lies in other files and goes by name is renamed with them.
+    void fixtures_renamed(const ghost::ui::ShowDocument::FixtureNames& renamed);
     void draft_found(const QString& words);
     void found_changed_outside(const QString& words); // and could not be taken
     void found_gone(const QString& words);
@@ -82,7 +89,15 @@ Q_SIGNALS:
 private:
     friend class EditStep;
 
+    // The next step's text, with the show that it is.
+    struct Prepared {
+        std::string text;
+        scene::Show show;
+    };
+
     Result<void> why_not_editable() const;
+    Result<bool> prepare(const Edit& edit);
+    void push(const QString& what, Edit edit, int kind);
     void read_opened();
     void put(const Edit& edit);
     void keep_draft();
@@ -104,6 +119,7 @@ private:
     std::string saved_;  // as the file has it
     std::string copied_; // as it was saved as a copy
     std::optional<std::string> draft_;
+    std::optional<Prepared> prepared_;
     bool is_kept_ = true;
     bool save_failed_ = false;
     bool changed_outside_ = false;

@@ -21,6 +21,7 @@ constexpr fixture::AxisRange kZoom{1, 80}, kPan{-270, 270}, kTilt{-135, 135};
 
 constexpr double kSame = 0.05; // numbers of a row that are as good as one
 constexpr int kParametersEvery_ms = 250;
+constexpr int kGobo_px = 24; // its picture in the list
 
 ValueRange range_of(const fixture::AxisRange& reach) {
     return {static_cast<double>(reach.low), static_cast<double>(reach.high), 1, translated("Value", " deg")};
@@ -57,6 +58,7 @@ ProgrammerPanel::ProgrammerPanel(AppModel& app, PaletteList& palettes, Actions& 
     };
     gobo_ = new QComboBox(this);
     gobo_->setAccessibleName(translated("Programmer", "Gobo"));
+    gobo_->setIconSize({kGobo_px, kGobo_px});
     connect(gobo_, &QComboBox::activated, this, [this](int index) {
         change_selected(app_, translated("Undo", "gobo"), ProgrammerStep::gobo,
                         [&](fixture::Programmer& programmer) {
@@ -176,8 +178,13 @@ void ProgrammerPanel::take_kinds() {
         const scene::PatchedFixture& fixture = app_.show()->fixtures[index];
         if (!fixture.type) continue;
         int slot = 0;
-        for (const std::string& name : fixture::gobo_names(fixture.patch()))
-            gobo_->addItem(QString("%1  %2").arg(slot++).arg(QString::fromStdString(name)));
+        const int wheel = gobo_wheel_of(fixture);
+        const int side_px = gobo_->iconSize().width();
+        for (const std::string& name : fixture::gobo_names(fixture.patch())) {
+            gobo_->addItem(pictures_.of(fixture.type, wheel, slot, side_px),
+                           QString("%1  %2").arg(slot).arg(QString::fromStdString(name)));
+            ++slot;
+        }
         if (slot > 0) return;
     }
 }
@@ -209,7 +216,7 @@ void ProgrammerPanel::make_parameters() {
             heading->setFont(font);
             layout->addWidget(heading);
         }
-        auto* row = new ParameterRow(parameter, parameter_box_);
+        auto* row = new ParameterRow(parameter, pictures_, parameter_box_);
         layout->addWidget(row);
         parameter_rows_.push_back(row);
         const auto set = [this, attribute = parameter.attribute](Look& look, std::optional<float> share) {

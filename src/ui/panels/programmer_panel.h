@@ -10,6 +10,7 @@
 #include "ui/panel_parts/palette_box.h"
 #include "ui/widgets/colour_row.h"
 #include "ui/widgets/parameter_row.h"
+#include "ui/widgets/slot_picture.h"
 #include "ui/widgets/value_row.h"
 
 #include <QComboBox>
@@ -52,6 +53,7 @@ private:
     std::vector<Row> rows_;
     ValueRow *zoom_, *pan_, *tilt_;
     ColourRow* colour_;
+    SlotPictures pictures_;
     QComboBox* gobo_;
     PaletteBox* palettes_;
     FanBox* fan_;

@@ -8,6 +8,7 @@
 
 #include <QHBoxLayout>
 #include <QMenu>
+#include <QStyle>
 
 #include <cmath>
 
@@ -18,7 +19,7 @@ constexpr int kParameterSteps = 1020; // of the slider: four to a value of eight
 
 } // namespace
 
-ParameterRow::ParameterRow(const HeadParameter& parameter, QWidget* parent)
+ParameterRow::ParameterRow(const HeadParameter& parameter, SlotPictures& pictures, QWidget* parent)
     : QWidget(parent), label_(new QLabel(this)), slider_(new QSlider(Qt::Horizontal, this)),
       meaning_(new QToolButton(this)), release_(new QToolButton(this)) {
     label_->setFixedWidth(ValueRow::label_width(*this));
@@ -32,10 +33,14 @@ ParameterRow::ParameterRow(const HeadParameter& parameter, QWidget* parent)
     meaning_->setToolButtonStyle(Qt::ToolButtonTextOnly);
     meaning_->setPopupMode(QToolButton::InstantPopup);
     auto* menu = new QMenu(meaning_);
-    for (const ParameterRange& range : parameter.ranges)
-        connect(menu->addAction(range.name), &QAction::triggered, this, [this, range] {
+    const int side_px = style()->pixelMetric(QStyle::PM_SmallIconSize);
+    for (const ParameterRange& range : parameter.ranges) {
+        QAction* const one = menu->addAction(range.name);
+        one->setIcon(pictures.of(parameter.type, range.wheel, range.slot, side_px));
+        connect(one, &QAction::triggered, this, [this, range] {
             if (on_change) on_change(0.5f * (range.from + range.to));
         });
+    }
     meaning_->setMenu(menu);
     release_->setText("\u21BA"); // back
     release_->setToolTip(translated("Value", "Give it back to the show and the desk"));

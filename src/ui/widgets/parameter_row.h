@@ -5,6 +5,7 @@
 // thread.
 
 #include "ui/model/head_parameters.h"
+#include "ui/widgets/slot_picture.h"
 
 #include <QLabel>
 #include <QSlider>
@@ -18,7 +19,7 @@ namespace ghost::ui {
 class ParameterRow : public QWidget {
     Q_OBJECT
 public:
-    ParameterRow(const HeadParameter& parameter, QWidget* parent);
+    ParameterRow(const HeadParameter& parameter, SlotPictures& pictures, QWidget* parent);
     // Does not call back.
     void show_value(const ParameterValue& value, bool mixed);
     std::function<void(float share)> on_change; // a person moved it

@@ -1,7 +1,8 @@
 #pragma once
 // SPDX-License-Identifier: Apache-2.0
 // PopupKeys: a key that an open list or menu had is not a key of ours as well. A list closes when Qt asks
-// whether anybody overrides the shortcut, so nothing is open any more when it looks for one. Window thread.
+// whether anybody overrides the shortcut, so nothing is open any more when it looks for one. Nor are the keys
+// that open the list of a combo box that has the focus: Space, and Alt with up or down. Window thread.
 
 #include <QObject>
 

@@ -36,6 +36,13 @@ public:
             if (const auto done = substitute(app_, document_, waiting.all); !done.ok())
                 actions_.complain(done.error());
         });
+        connect(&app_, &AppModel::not_opened, this, [this] {
+            if (!waiting_ || is_importing()) return; // another show was asked for meanwhile
+            waiting_.reset();
+            actions_.complain({"the show that was made of the plot cannot be opened: no fixture file is "
+                               "substituted",
+                               ""});
+        });
         connect(&app_.jobs(), &Jobs::ended, this, [this](const Job& job) {
             if (!waiting_ || job.number != waiting_->import || job.state == Job::State::done) return;
             waiting_.reset();
@@ -48,8 +55,13 @@ public:
         if (!app_.show()) return Error{"no show is open", ""};
         if (app_.show()->file != app_.show()->plot_file) return substitute(app_, document_, all);
         const QString plot = QString::fromStdString(app_.show()->file.string());
-        if (is_importing())
-            return Error{"the plot is being imported: take it when that is done", plot.toStdString()};
+        // Until the show is open, which may be long after it was made, the plot is what is seen.
+        if (waiting_ && waiting_->folder == folder_for_plot(plot).toStdString()) {
+            waiting_->all.insert(waiting_->all.end(), all.begin(), all.end());
+            return {};
+        }
+        if (waiting_)
+            return Error{"another plot is being imported: take it when that is done", plot.toStdString()};
         TRY_VOID(actions_.run("import-plot " + quoted(plot)));
         const Job& import = app_.jobs().all().back();
         if (import.is_over()) return Error{"the plot was not imported: no fixture file is substituted", ""};

@@ -160,6 +160,7 @@ Window::Window(Link& link, const WindowOptions& options)
     addToolBar(Qt::TopToolBarArea, notice_);
     fixtures_->complain = actions_.complain;
     connect(&document_, &ShowDocument::changed, this, [this] { setWindowModified(document_.is_changed()); });
+    connect(&document_, &ShowDocument::fixtures_renamed, &looks_, &Looks::rename_fixtures);
     connect(&app_, &AppModel::opened_show, this, &Window::name_cameras);
     connect(&app_, &AppModel::opened_show, this, [this] {
         setWindowTitle(QString::fromStdString(app_.show()->name.empty() ? app_.show()->file.string()
@@ -222,9 +223,12 @@ Window::Window(Link& link, const WindowOptions& options)
         options_.remembers && tone.ok())
         app_.change_request([&](ViewRequest& request) { request.tone = *tone; });
     if (options_.remembers && settings.value("layout version").toInt() == kLayoutVersion) {
-        restoreGeometry(settings.value("geometry").toByteArray());
+        (void)place_.put_back(settings);
         restoreState(settings.value("docks").toByteArray(), kLayoutVersion);
-        if (options_.width > 0) resize(options_.width, options_.height);
+        if (options_.width > 0) {
+            setWindowState(Qt::WindowNoState);
+            resize(options_.width, options_.height);
+        }
     } else {
         if (options_.width > 0) resize(options_.width, options_.height);
         const QSize asked = size();
@@ -551,7 +555,7 @@ void Window::closeEvent(QCloseEvent* event) {
         rail_->put_back(); // panels that waited are part of the layout
         QSettings settings;
         settings.setValue("layout version", kLayoutVersion);
-        settings.setValue("geometry", saveGeometry());
+        place_.keep(settings);
         settings.setValue("docks", saveState(kLayoutVersion));
     }
     second_.close(); // the last window that closes ends the program

@@ -1,7 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: Apache-2.0
 // Window: the picture in the middle, panels around it, menus made from the table of actions. It remembers its
-// layout. Window thread.
+// layout and its place. Window thread.
 
 #include "ui/actions/actions.h"
 #include "ui/actions/cue_list.h"
@@ -16,6 +16,7 @@
 #include "ui/widgets/loop_watch.h"
 #include "ui/widgets/on_screen.h"
 #include "ui/widgets/toast.h"
+#include "ui/widgets/window_place.h"
 #include "ui/window/context_menus.h"
 #include "ui/window/menus.h"
 #include "ui/window/open_window.h"
@@ -90,6 +91,7 @@ private:
     RdmEdits* const rdm_ = new RdmEdits(app_, document_, this);
     SecondDisplay second_;
     OnScreen reach_;
+    WindowPlace place_{*this};
     Actions actions_;
     LoopWatch* const loop_ = new LoopWatch(this);
     View* view_;

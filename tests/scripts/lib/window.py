@@ -33,16 +33,17 @@ LONG_S = 40  # for what a busy machine may take
 class Window:
     """A window of its own process, with the demo, driven over its socket."""
 
-    def __init__(self, *arguments, show=None, before=(), environment=None, folder=None):
-        """before: a command that runs it, like ip netns exec; environment: more of it; folder: in which it runs."""
+    def __init__(self, *arguments, show=None, before=(), environment=None, folder=None, remembers=False):
+        """before: a command that runs it, like ip netns exec; environment: more of it; folder: in which it runs; remembers: what the
+        window before it kept."""
         self.socket_path = str(WORK / f"socket-{os.getpid()}-{time.monotonic_ns()}")
         environment = dict(os.environ, DISPLAY=DISPLAY, XDG_CONFIG_HOME=str(WORK / "config"), LC_ALL="C.UTF-8", LANGUAGE="en",
                            **(environment or {}))
         environment.pop("WAYLAND_DISPLAY", None)
         environment.pop("QT_QPA_PLATFORM", None)
         self.log = open(WORK / "window.log", "w+")
-        self.process = subprocess.Popen([*before, str(PROGRAM), "open", str(show or WORK / "demo"), "--forget", "--socket", self.socket_path,
-                                         *map(str, arguments)], env=environment, cwd=folder, stderr=self.log, stdout=self.log)
+        self.process = subprocess.Popen([*before, str(PROGRAM), "open", str(show or WORK / "demo"), *([] if remembers else ["--forget"]),
+                                         "--socket", self.socket_path, *map(str, arguments)], env=environment, cwd=folder, stderr=self.log, stdout=self.log)
         self.socket = socket.socket(socket.AF_UNIX)
         self.socket.settimeout(LONG_S)
         for _ in range(LONG_S * 10):

@@ -272,15 +272,44 @@ TEST(Actions, switches_take_on_and_off_and_nothing_else_is_taken_silently) {
     EXPECT_EQ(opened.error_of("see-all 7"), "see-all: takes no arguments, so what is '7'?");
 }
 
-// As Qt does it: who has the keys is asked whether it overrides a shortcut; if not, the shortcut comes.
-void press(QWidget& asked, Qt::Key key, QAction& item) {
-    QKeyEvent override(QEvent::ShortcutOverride, key, Qt::NoModifier);
+// As Qt does it: who has the keys is asked whether it overrides a shortcut; if not, the shortcut comes, else
+// the key.
+void press(QWidget& asked, Qt::Key key, QAction& item, Qt::KeyboardModifiers with = Qt::NoModifier) {
+    QKeyEvent override(QEvent::ShortcutOverride, key, with);
     override.ignore();
     QApplication::sendEvent(&asked, &override);
-    if (override.isAccepted()) return;
+    if (override.isAccepted()) {
+        QKeyEvent pressed(QEvent::KeyPress, key, with);
+        QApplication::sendEvent(&asked, &pressed);
+        settle();
+        return;
+    }
     QShortcutEvent shortcut(item.shortcut(), 0);
     QApplication::sendEvent(&item, &shortcut);
     settle();
+}
+
+TEST(Actions, keys_that_open_a_list_open_it_where_it_has_the_focus) {
+    Opened4 opened;
+    Actions& actions = opened.window->actions();
+    QComboBox list(opened.window.get());
+    list.addItems({"open", "gobo 1"});
+    list.show();
+    const bool played = opened.window->app().request().transport.playing;
+    press(list, Qt::Key_Space, *actions.item("play"));
+    EXPECT_EQ(opened.window->app().request().transport.playing, played);
+    EXPECT_TRUE(list.view()->isVisible());
+    list.hidePopup();
+    settle();
+    const std::size_t steps = static_cast<std::size_t>(opened.window->app().undo_stack().count());
+    for (const Qt::Key key : {Qt::Key_Down, Qt::Key_Up})
+        press(list, key, *actions.item("nudge-down-stage"), Qt::AltModifier);
+    EXPECT_TRUE(list.view()->isVisible());
+    EXPECT_EQ(static_cast<std::size_t>(opened.window->app().undo_stack().count()), steps);
+    list.hidePopup();
+    settle();
+    press(*opened.window->centralWidget(), Qt::Key_Space, *actions.item("play"));
+    EXPECT_NE(opened.window->app().request().transport.playing, played) << "elsewhere it is ours";
 }
 
 // It closes at the question already, so nothing is open any more when the shortcut comes.

@@ -123,5 +123,21 @@ TEST(FixtureList, what_is_typed_goes_to_the_selected_or_else_to_its_row) {
         << "the same words are no edit";
 }
 
+// After an edit the show is read again, which takes as long as the machine is busy.
+TEST(FixtureList, a_file_that_is_not_read_yet_is_not_one_that_cannot_be_read) {
+    Listed listed(four_lamps()); // without types
+    EXPECT_EQ(listed.column(FixtureList::type)[0], "file cannot be read");
+    const auto text = std::make_shared<const std::string>("edited");
+    listed.app.put_edit(text, *listed.app.show(), {}, {});
+    EXPECT_EQ(listed.column(FixtureList::type)[0], "file is being read");
+    Opened done = listed.app.opened();
+    done.text = text;
+    done.is_edit = true;
+    listed.link.opened.put(std::move(done));
+    listed.link.on_news();
+    settle();
+    EXPECT_EQ(listed.column(FixtureList::type)[0], "file cannot be read");
+}
+
 } // namespace
 } // namespace ghost::ui

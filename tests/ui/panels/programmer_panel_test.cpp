@@ -11,6 +11,7 @@
 #include "fixture_files/gdtf/gdtf.h"
 #include "show/show.h"
 
+#include <QComboBox>
 #include <QDialog>
 #include <QKeyEvent>
 #include <QMenu>
@@ -136,6 +137,33 @@ TEST(ProgrammerPanel, all_parameters_of_the_head_are_there_in_the_words_of_the_f
 }
 
 // What a hand wants of a strobe is not what it wants of the intensity.
+QImage picture_of(const QIcon& icon) {
+    return icon.pixmap(16, 16).toImage();
+}
+
+TEST(ProgrammerPanel, slots_of_wheels_have_their_pictures) {
+    Heads heads;
+    heads.app.select({0});
+    settle();
+    const QComboBox* gobos = nullptr;
+    for (const QComboBox* const one : heads.panel.findChildren<QComboBox*>())
+        if (one->accessibleName() == "Gobo") gobos = one;
+    ASSERT_TRUE(gobos);
+    ASSERT_GT(gobos->count(), 4);
+    EXPECT_TRUE(gobos->itemIcon(0).isNull()) << "what the desk says is no slot";
+    for (int i = 1; i < gobos->count(); ++i) {
+        ASSERT_FALSE(gobos->itemIcon(i).isNull()) << i;
+        for (int k = 1; k < i; ++k)
+            EXPECT_NE(picture_of(gobos->itemIcon(i)), picture_of(gobos->itemIcon(k))) << i << " " << k;
+    }
+    const ParameterRow* const colours = heads.row("Colour wheel 1");
+    ASSERT_TRUE(colours);
+    int with_picture = 0;
+    for (const QAction* const one : colours->findChild<QMenu*>()->actions())
+        with_picture += one->icon().isNull() ? 0 : 1;
+    EXPECT_GE(with_picture, 3);
+}
+
 TEST(ProgrammerPanel, a_strobe_by_hand_goes_on_under_an_intensity_by_hand) {
     const fixture::Patch patch{.type = spot().get(), .addresses = {{1, 0}}};
     fixture::Programmer programmer;

@@ -472,5 +472,30 @@ TEST(ShowDocument, what_can_be_kept_nowhere_is_said_until_it_is_saved_somewhere)
     qunsetenv("XDG_DATA_HOME");
 }
 
+// A newer plot of the show came in while it was edited: what was opened is of the text before.
+TEST(ShowDocument, an_edit_outlives_a_show_that_was_opened_beside_it) {
+    Desk desk;
+    desk.open();
+    desk.app.select({0});
+    ASSERT_TRUE(desk.edit.duplicate({1, 0, 0}).ok());
+    const std::string edited = desk.document.text();
+    Opened older = desk.app.opened();
+    Report report;
+    auto parsed = scene::parse_show(kShow, desk.file, report);
+    ASSERT_TRUE(parsed.ok());
+    older.show = std::make_shared<const scene::Show>(std::move(parsed->show));
+    older.is_edit = false;
+    older.again = true;
+    older.text = nullptr;
+    desk.link.opened.put(std::move(older));
+    desk.link.on_news();
+    settle();
+    EXPECT_EQ(desk.document.text(), edited);
+    ASSERT_EQ(desk.app.show()->fixtures.size(), 4u) << "numbers of fixtures are those of the text";
+    desk.app.select({3});
+    ASSERT_TRUE(desk.edit.remove().ok());
+    EXPECT_EQ(desk.document.text().find("Lamp 3"), std::string::npos) << desk.document.text();
+}
+
 } // namespace
 } // namespace ghost::ui
