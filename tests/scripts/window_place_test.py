@@ -11,6 +11,9 @@ import time
 import unittest
 
 sys.path.insert(0, str(pathlib.Path(__file__).parent / "lib"))
+import needs  # noqa: E402
+
+needs.packages("openbox")
 import window as window_driver  # noqa: E402
 from window import Window, main  # noqa: E402
 
@@ -56,8 +59,6 @@ class Place(unittest.TestCase):
             self.manager.wait()
 
     def manage(self):
-        if not shutil.which("openbox"):
-            self.skipTest("openbox is not installed")
         self.manager = subprocess.Popen(["openbox"], env=dict(os.environ, DISPLAY=window_driver.DISPLAY), stderr=subprocess.DEVNULL)
         time.sleep(1)
 

@@ -9,7 +9,7 @@ import sys
 FILES = {"libasound2-plugins": "*/alsa-lib/libasound_module_pcm_pulse.so", "qt6-wayland": "*/qt6/plugins/platforms/libqwayland-generic.so"}
 MODULES = {"python3-numpy": "numpy", "python3-pil": "PIL"}
 PROGRAMS = {"iproute2": ["ip"], "nftables": ["nft"], "tshark": ["tshark"], "ola": ["olad", "ola_rdm_discover", "ola_rdm_get", "ola_rdm_set", "ola_streaming_client"], "qlcplus": ["qlcplus"], "util-linux": ["setpriv", "unshare", "nsenter"], "xvfb": ["Xvfb"],
-            "xdotool": ["xdotool"], "weston": ["weston"], "chromium": ["chromium"], "firefox-esr": ["firefox-esr"], "webkit2gtk-driver": ["WebKitWebDriver"], "poppler-utils": ["pdftotext", "pdffonts"], "slurm-wlm": ["slurmctld", "slurmd", "sbatch", "squeue"], "munge": ["munged"],
+            "xdotool": ["xdotool"], "weston": ["weston"], "openbox": ["openbox"], "chromium": ["chromium"], "firefox-esr": ["firefox-esr"], "webkit2gtk-driver": ["WebKitWebDriver"], "poppler-utils": ["pdftotext", "pdffonts"], "slurm-wlm": ["slurmctld", "slurmd", "sbatch", "squeue"], "munge": ["munged"],
             "faketime": ["faketime"], "ffmpeg": ["ffmpeg", "ffprobe"], "patchelf": ["patchelf"], "help2man": ["help2man"], "pulseaudio": ["pulseaudio"], "pulseaudio-utils": ["pactl", "parec"]}
 
 
