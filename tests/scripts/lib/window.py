@@ -27,7 +27,7 @@ PICTURES = pathlib.Path(sys.argv[3]).resolve() if len(sys.argv) > 3 else None
 
 WORK = None
 DISPLAY = None
-LONG_S = 40  # for what a busy machine may take
+LONG_S = 600  # for what a busy machine may take
 
 
 class Window:
