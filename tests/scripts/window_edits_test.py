@@ -58,6 +58,21 @@ class Edits(unittest.TestCase):
         finally:
             self.assertEqual(window.close(), 0)
 
+    def test_another_show_while_an_edit_is_taken(self):
+        show, window = self.open()
+        try:
+            other = WORK / "other"
+            shutil.copytree(WORK / "demo", other)
+            (other / "show.toml").write_text((other / "show.toml").read_text().replace('name = "Spot 1"', 'name = "Else"'))
+            for _ in range(2):  # the edit is read beside what is shown, and is ready when the other show is open
+                window.do('select "Spot 2"', "duplicate", f'open "{other}"', "wait opened", "wait 3", "wait settled")
+                self.assertEqual(window.state()["show"], str(other / "show.toml"))
+                window.do("select Else")
+                window.do(f'open "{show}"', "wait opened", "drop-changes", "wait settled")
+                window.do('select "Spot 1"')
+        finally:
+            self.assertEqual(window.close(), 0)
+
 
 if __name__ == "__main__":
     sys.exit(main(sys.modules[__name__]))

@@ -175,6 +175,7 @@ void Engine::open(const std::string& path) {
         link_.on_news();
         return;
     }
+    opening_.drop(); // an edit or a plot of the show before would take this one's place
     adopt(std::move(*opened), Opening::Kind::another);
 }
 

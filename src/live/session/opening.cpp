@@ -23,7 +23,9 @@ void Opening::begin(Kind kind, std::function<Opened()> open) {
 
 std::optional<Opening::Opened> Opening::take() {
     if (!is_running() || opened_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return {};
-    return opened_.get();
+    Opened opened = opened_.get();
+    if (std::exchange(is_dropped_, false)) return {};
+    return opened;
 }
 
 } // namespace ghost::app

@@ -23,14 +23,17 @@ public:
 
     // Nothing is being opened.
     void begin(Kind kind, std::function<Opened()> open);
-    bool is_running() const { return opened_.valid(); } // until it is taken
+    bool is_running() const { return opened_.valid(); } // until it is taken, or would be
     // Once, as soon as it is ready.
     std::optional<Opened> take();
+    // What runs is of a show that nobody wants any more: it is never taken.
+    void drop() { is_dropped_ = is_running(); }
     Kind kind() const { return kind_; } // of the one that was begun last
 
 private:
     Kind kind_ = Kind::another;
     std::future<Opened> opened_;
+    bool is_dropped_ = false;
 };
 
 } // namespace ghost::app

@@ -51,6 +51,22 @@ TEST(Opening, an_error_is_handed_over_too_and_the_next_one_may_begin) {
     EXPECT_TRUE(taken_within_a_minute(opening)->ok());
 }
 
+TEST(Opening, what_is_dropped_is_never_handed_over) {
+    Opening opening;
+    opening.drop(); // nothing runs: the next one is taken
+    for (const bool drops : {true, false}) {
+        opening.begin(Opening::Kind::edit, [] { return Opening::Opened(std::make_unique<Session>()); });
+        if (drops) opening.drop();
+        for (int i = 0; i < 6000 && opening.is_running(); ++i) {
+            EXPECT_FALSE(drops && opening.take());
+            if (!drops) break;
+            std::this_thread::sleep_for(std::chrono::milliseconds(10));
+        }
+        EXPECT_EQ(opening.is_running(), !drops);
+    }
+    EXPECT_TRUE(taken_within_a_minute(opening)->ok());
+}
+
 TEST(Opening, what_is_being_opened_is_waited_for) {
     std::atomic<bool> ended{false};
     {
