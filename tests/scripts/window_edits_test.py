@@ -65,7 +65,7 @@ class Edits(unittest.TestCase):
             shutil.copytree(WORK / "demo", other)
             (other / "show.toml").write_text((other / "show.toml").read_text().replace('name = "Spot 1"', 'name = "Else"'))
             for _ in range(2):  # the edit is read beside what is shown, and is ready when the other show is open
-                window.do('select "Spot 2"', "duplicate", f'open "{other}"', "wait opened", "wait 3", "wait settled")
+                window.do('select "Spot 2"', "duplicate", "wait 0.2", f'open "{other}"', "wait opened", "wait 3", "wait settled")
                 self.assertEqual(window.state()["show"], str(other / "show.toml"))
                 window.do("select Else")
                 window.do(f'open "{show}"', "wait opened", "drop-changes", "wait settled")
