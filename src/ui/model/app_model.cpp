@@ -12,6 +12,8 @@
 #include <algorithm>
 #include <filesystem>
 #include <iterator>
+#include <map>
+#include <string_view>
 #include <utility>
 
 namespace ghost::ui {
@@ -22,6 +24,22 @@ RigNow rig_at_home(const scene::Show& show) {
     RigNow rig;
     for (const scene::PatchedFixture& fixture : show.fixtures)
         rig.fixtures.push_back({.light_m = scene::light_position_m(fixture, 0)});
+    return rig;
+}
+
+// What is said of the fixtures of the show that is drawn, for those of one that is shown already: fixtures go
+// by name, or, where one was renamed, by number.
+RigNow rig_of(const scene::Show& show, const scene::Show& drawn, RigNow rig) {
+    std::map<std::string_view, std::size_t> places;
+    for (std::size_t i = 0; i < drawn.fixtures.size(); ++i) places.emplace(drawn.fixtures[i].name, i);
+    RigNow at_home = rig_at_home(show);
+    for (std::size_t i = 0; i < show.fixtures.size(); ++i) {
+        const auto found = places.find(show.fixtures[i].name);
+        const bool is_renamed = found == places.end() && show.fixtures.size() == drawn.fixtures.size();
+        const std::size_t from = is_renamed ? i : found == places.end() ? rig.fixtures.size() : found->second;
+        if (from < rig.fixtures.size()) at_home.fixtures[i] = rig.fixtures[from];
+    }
+    rig.fixtures = std::move(at_home.fixtures);
     return rig;
 }
 
@@ -136,7 +154,8 @@ void AppModel::read_news() {
         Q_EMIT camera_pictures_came();
     }
     if (auto news = link_.rig.take()) {
-        rig_ = std::move(*news);
+        rig_ = drawn_ && show() && drawn_ != show() ? rig_of(*show(), *drawn_, std::move(*news))
+                                                    : std::move(*news);
         Q_EMIT rig_came();
     }
     if (auto news = link_.picture.take()) {
@@ -179,6 +198,7 @@ std::uint64_t AppModel::pick(const glm::vec3& from_m, const glm::vec3& way) {
 }
 
 void AppModel::take_opened(Opened opened) {
+    drawn_ = opened.show;
     // An edit later than this one is shown already.
     if (opened.is_edit && opened.text != request_.text) return;
     opened_ = std::move(opened);
@@ -360,6 +380,7 @@ void AppModel::show_look() {
 
 void AppModel::put_edit(std::shared_ptr<const std::string> text, scene::Show preview, const Look& look,
                         std::set<std::size_t> selection) {
+    if (show()) rig_ = rig_of(preview, *show(), std::move(rig_));
     opened_.show = std::make_shared<const scene::Show>(std::move(preview));
     opened_.is_edit = true;
     put_selection(std::move(selection));

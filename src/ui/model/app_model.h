@@ -189,6 +189,7 @@ private:
     Link& link_;
     std::atomic<bool> news_posted_{false};
     Opened opened_;
+    std::shared_ptr<const scene::Show> drawn_; // by the engine: that before an edit which is shown already
     Picture picture_;
     RigNow rig_;
     dmx::Statistics network_;

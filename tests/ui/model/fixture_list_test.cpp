@@ -139,5 +139,31 @@ TEST(FixtureList, a_file_that_is_not_read_yet_is_not_one_that_cannot_be_read) {
     EXPECT_EQ(listed.column(FixtureList::type)[0], "file cannot be read");
 }
 
+// An edit is listed at once; what is said of the rig is of the show before until it is read.
+TEST(FixtureList, levels_stay_with_their_fixtures_while_an_edit_is_read) {
+    Listed listed(four_lamps());
+    const auto say = [&] {
+        RigNow rig;
+        rig.fixtures.resize(4);
+        for (std::size_t i = 0; i < 4; ++i) rig.fixtures[i].dimmer = std::array{1.0f, 0.05f, 0.4f, 0.0f}[i];
+        listed.link.rig.put(rig);
+        listed.link.on_news();
+        settle();
+    };
+    say();
+    scene::Show show = *listed.app.show();
+    show.fixtures.insert(show.fixtures.begin() + 1, show.fixtures[0]);
+    show.fixtures[1].name = "Lamp 5";
+    const auto text = std::make_shared<const std::string>("edited");
+    listed.app.put_edit(text, show, {}, {});
+    const Texts levels{"100 %", "0 %", "5 %", "40 %", "0 %"};
+    EXPECT_EQ(listed.column(FixtureList::level), levels);
+    say();
+    EXPECT_EQ(listed.column(FixtureList::level), levels);
+    show.fixtures[2].name = "Other";
+    listed.app.put_edit(std::make_shared<const std::string>("again"), show, {}, {});
+    EXPECT_EQ(listed.column(FixtureList::level), levels) << "one that was renamed";
+}
+
 } // namespace
 } // namespace ghost::ui
