@@ -1542,6 +1542,10 @@
         <source>Paperwork %1</source>
         <translation>Unterlagen %1</translation>
     </message>
+    <message>
+        <source>The show lacks something: %1</source>
+        <translation>Der Show fehlt etwas: %1</translation>
+    </message>
 </context>
 <context>
     <name>Keys</name>

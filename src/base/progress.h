@@ -34,4 +34,8 @@ private:
     std::size_t shown_letters_ = 0;
 };
 
+// The last words of a render or bake, with exit code 1, that made all it could.
+inline constexpr const char* kMadeButMissing =
+    "made, but something that the show asks for is missing (see above)";
+
 } // namespace ghost

@@ -4,15 +4,14 @@
 // of processes and machines at once.
 
 #include "base/child.h"
+#include "base/progress.h"
 #include "farm/farm_plan.h"
 
 namespace ghost::app {
 
 inline constexpr std::uintmax_t kMostPictureBytes = std::uintmax_t{1} << 31; // of one file
 
-// What a render or bake says, with exit code 1, that made all it could: on a farm it makes a whole as well.
-inline constexpr const char* kMadeButMissing =
-    "made, but something that the show asks for is missing (see above)";
+// kMadeButMissing: on a farm it makes a whole as well.
 bool said_made_but_missing(const ChildResult& child);
 
 // Does nothing where the task is done. Whatever goes wrong is also kept in failed/.

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/model/jobs.h"
 
+#include "base/progress.h"
 #include "disk/whole_folder.h"
+#include "ui/language/language.h"
 
 #include <QRegularExpression>
 #include <QStandardPaths>
@@ -42,6 +44,14 @@ const char* state_name(Job::State state) {
         break;
     }
     return QT_TRANSLATE_NOOP("Jobs", "cancelled");
+}
+
+QString outcome_words(const Job& job) {
+    QString words = translated("Jobs", state_name(job.state));
+    if (job.state == Job::State::failed) words += ". " + said(job.last_said);
+    if (job.state == Job::State::done && job.is_incomplete)
+        words += ". " + translated("Jobs", "The show lacks something: %1").arg(said(job.remarks.first()));
+    return words;
 }
 
 std::optional<ProgressLine> progress_of(const QString& line) {
@@ -112,7 +122,10 @@ void Jobs::begin_next() {
         [this](int code, QProcess::ExitStatus status) {
             read();
             if (!unread_.isEmpty()) take_line(QString::fromUtf8(std::exchange(unread_, {})));
-            end(status == QProcess::NormalExit && code == 0 ? Job::State::done : Job::State::failed);
+            Job* job = running();
+            if (job && code == 1 && job->last_said.endsWith(kMadeButMissing)) job->is_incomplete = true;
+            const bool is_made = code == 0 || (job && job->is_incomplete);
+            end(status == QProcess::NormalExit && is_made ? Job::State::done : Job::State::failed);
         },
         Qt::QueuedConnection);
     connect(

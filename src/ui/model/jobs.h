@@ -23,17 +23,20 @@ struct Job {
     QString title;
     QStringList arguments; // of the program
     State state = State::waits;
-    double share = 0;         // of the work that is done
-    QString left;             // "1:05", time that it still takes; empty: not known yet
-    QString doing;            // "baking", and what of
-    QString last_said;        // that is no progress
-    QStringList remarks;      // the first warnings and errors
-    int remark_count = 0;     // of all of them
-    bool is_given_up = false; // somebody cancelled it; it may take a while to end
+    double share = 0;           // of the work that is done
+    QString left;               // "1:05", time that it still takes; empty: not known yet
+    QString doing;              // "baking", and what of
+    QString last_said;          // that is no progress
+    QStringList remarks;        // the first warnings and errors
+    int remark_count = 0;       // of all of them
+    bool is_incomplete = false; // done, but the show lacks something; the first remark says what
+    bool is_given_up = false;   // somebody cancelled it; it may take a while to end
 
     bool is_over() const { return state != State::waits && state != State::runs; }
 };
 const char* state_name(Job::State state);
+// How one that is over went, in words.
+QString outcome_words(const Job& job);
 
 // A line of progress as base/progress.h prints it: "baking  42 % [####   ] 0:12 left  foh".
 struct ProgressLine {

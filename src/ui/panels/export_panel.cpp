@@ -27,8 +27,8 @@ QString job_words(const Job& job) {
         if (!job.left.isEmpty()) words += translated("Jobs", ", %1 left").arg(job.left);
         return words;
     }
-    words += translated("Jobs", state_name(job.state));
-    if (job.state == Job::State::failed || (job.state == Job::State::cancelled && is_on_farm(job)))
+    words += outcome_words(job).toHtmlEscaped();
+    if (job.state == Job::State::cancelled && is_on_farm(job))
         words += ". " + said(job.last_said).toHtmlEscaped();
     return words;
 }

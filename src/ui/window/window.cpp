@@ -210,11 +210,8 @@ Window::Window(Link& link, const WindowOptions& options)
     });
     connect(&reach_, &OnScreen::moved, this, [this](const QString& what) { say(what, 15000); });
     connect(&app_.jobs(), &Jobs::changed, this, &Window::show_jobs);
-    connect(&app_.jobs(), &Jobs::ended, this, [this](const Job& job) {
-        QString words = job.title + ": " + translated("Jobs", state_name(job.state));
-        if (job.state == Job::State::failed) words += ". " + said(job.last_said);
-        say(words, 15000);
-    });
+    connect(&app_.jobs(), &Jobs::ended, this,
+            [this](const Job& job) { say(job.title + ": " + outcome_words(job), 15000); });
     const QSize room = screen()->availableSize();
     resize(room.isEmpty() ? QSize(1280, 760) : room);
     if (options_.width == 0) setWindowState(Qt::WindowMaximized);

@@ -81,6 +81,20 @@ TEST(Jobs, warnings_and_errors_are_its_remarks) {
     EXPECT_EQ(shop.ended[0].remarks.first(), "a.gdtf: fault 0");
 }
 
+// A fixture file with a fault is no reason to call a picture that lies there failed.
+TEST(Jobs, what_is_made_of_a_show_that_lacks_something_is_done_and_says_what) {
+    Workshop shop("echo 'warning: x.gdtf: no such wheel'; echo 'error: s.toml: " +
+                  std::string(kMadeButMissing) + "'; exit $3");
+    shop.jobs->start("Still a.png", {"1"});
+    shop.jobs->start("Still b.png", {"2"});
+    shop.wait();
+    ASSERT_EQ(shop.ended.size(), 2u);
+    EXPECT_EQ(shop.ended[0].state, Job::State::done);
+    EXPECT_EQ(outcome_words(shop.ended[0]).toStdString(),
+              "done. The show lacks something: x.gdtf: no such wheel");
+    EXPECT_EQ(shop.ended[1].state, Job::State::failed);
+}
+
 TEST(Jobs, what_fails_says_its_last_words_and_the_next_one_begins) {
     Workshop shop("if [ $3 = bad ]; then echo 'error: no such camera'; exit 1; fi; echo fine > \"$4\"\n");
     const QString file = shop.folder.filePath("out");
