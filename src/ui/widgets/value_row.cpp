@@ -24,8 +24,13 @@ MixedSpinBox::MixedSpinBox(QWidget* parent) : QDoubleSpinBox(parent) {
         if (std::exchange(is_mixed_, false)) is_typed_over_ = true;
     });
     connect(this, &QAbstractSpinBox::editingFinished, this, [this] {
+        lineEdit()->setModified(false);
         if (std::exchange(is_typed_over_, false) && on_typed_over) on_typed_over(value());
     });
+}
+
+bool MixedSpinBox::is_being_typed() const {
+    return is_typed_over_ || (hasFocus() && lineEdit()->isModified());
 }
 
 void MixedSpinBox::set_mixed(bool mixed) {
@@ -117,7 +122,7 @@ void ValueRow::show_value(double value, bool by_hand, bool mixed) {
     {
         const Following following(follows_);
         if (!slider_->isSliderDown()) slider_->setValue(to_slider(value));
-        if (!field_->is_typed_over() && (!field_->hasFocus() || by_hand || !on_release)) {
+        if (!field_->is_being_typed()) {
             field_->set_mixed(mixed);
             field_->setValue(value);
         }

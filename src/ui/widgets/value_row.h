@@ -30,7 +30,7 @@ public:
     explicit MixedSpinBox(QWidget* parent);
     bool is_mixed() const { return is_mixed_; }
     void set_mixed(bool mixed);
-    bool is_typed_over() const { return is_typed_over_; }
+    bool is_being_typed() const; // and not entered
     // A number was typed in the place of the word, be it that of the first.
     std::function<void(double)> on_typed_over;
     QString textFromValue(double value) const override;

@@ -34,6 +34,7 @@
 #include "ui/widgets/focus_guide.h"
 #include "ui/widgets/panel_area.h"
 #include "ui/widgets/popup_keys.h"
+#include "ui/widgets/undo_keys.h"
 #include "ui/widgets/wheel_guard.h"
 #include "ui/window/private/meter_actions.h"
 #include "ui/window/private/notice_bar.h"
@@ -78,6 +79,7 @@ Window::Window(Link& link, const WindowOptions& options)
     setAcceptDrops(true);
     qApp->installEventFilter(new WheelGuard(this));
     qApp->installEventFilter(new PopupKeys(this));
+    qApp->installEventFilter(new UndoKeys(this));
     setDockNestingEnabled(true);
     setCentralWidget(view_);
     for (QLabel* const one : {status_input_, status_supply_, status_jobs_, status_device_})

@@ -93,6 +93,22 @@ TEST(ProgrammerPanel, values_that_differ_are_mixed_until_one_is_given_to_all) {
     EXPECT_FALSE(field->is_mixed());
 }
 
+TEST(ProgrammerPanel, a_number_that_is_undone_is_shown_though_its_field_has_the_focus) {
+    Heads heads;
+    heads.app.select({0});
+    auto* const field = heads.value("Tilt")->findChild<MixedSpinBox*>();
+    heads.panel.activateWindow();
+    field->setFocus();
+    settle();
+    ASSERT_TRUE(field->hasFocus());
+    const double before = field->value();
+    field->stepUp();
+    EXPECT_NE(field->value(), before);
+    heads.app.undo_stack().undo();
+    settle();
+    EXPECT_EQ(field->value(), before);
+}
+
 TEST(ProgrammerPanel, nothing_is_warm_when_nothing_is_selected) {
     Heads heads;
     heads.app.select({0});
