@@ -828,6 +828,8 @@ constexpr const char* kSentences[] = {
     QT_TRANSLATE_NOOP("Sentence", "there is no cue '%1'"),
     QT_TRANSLATE_NOOP("Sentence", "'%1' is neither up nor down"),
     QT_TRANSLATE_NOOP("Sentence", "'%1' is no size like 1920x1080, 16 to 8192 each way"),
+    QT_TRANSLATE_NOOP("Sentence",
+                      "'%1' is neither a size like 1920x1080, 16 to 8192 each way, nor a camera of the show"),
     QT_TRANSLATE_NOOP("Sentence", "nothing runs in the background"),
     QT_TRANSLATE_NOOP("Sentence", "the name must end in .%1"),
     QT_TRANSLATE_NOOP("Sentence", "no such folder"),
