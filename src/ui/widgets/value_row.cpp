@@ -42,6 +42,18 @@ void MixedSpinBox::set_mixed(bool mixed) {
     lineEdit()->setText(textFromValue(value()) + unit);
 }
 
+void MixedSpinBox::stepBy(int steps) {
+    if (is_mixed_ && on_mixed_step)
+        on_mixed_step(steps * singleStep());
+    else
+        QDoubleSpinBox::stepBy(steps);
+}
+
+// The value behind the word may be at its end, the others are not.
+QAbstractSpinBox::StepEnabled MixedSpinBox::stepEnabled() const {
+    return is_mixed_ && on_mixed_step ? StepUpEnabled | StepDownEnabled : QDoubleSpinBox::stepEnabled();
+}
+
 QString MixedSpinBox::textFromValue(double value) const {
     return is_mixed_ ? translated("Value", "mixed") : QDoubleSpinBox::textFromValue(value);
 }
@@ -86,6 +98,9 @@ ValueRow::ValueRow(const QString& name, const ValueRange& range, QWidget* parent
     });
     field_->on_typed_over = [this](double value) {
         if (on_change) on_change(value);
+    };
+    field_->on_mixed_step = [this](double by) {
+        if (on_mixed_step) on_mixed_step(by);
     };
     connect(release_, &QToolButton::clicked, this, [this] {
         if (on_release) on_release();
