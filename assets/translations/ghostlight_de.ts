@@ -2237,6 +2237,20 @@
         <source>Looks keep the old names of fixtures: %1</source>
         <translation>Looks behalten die alten Namen der Geräte: %1</translation>
     </message>
+    <message numerus="yes">
+        <source>A desk that is silent: %n universe(s)</source>
+        <translation>
+            <numerusform>Ein Pult, das schweigt: %n Universum</numerusform>
+            <numerusform>Ein Pult, das schweigt: %n Universen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>, %n of them silent</source>
+        <translation>
+            <numerusform>, davon %n stumm</numerusform>
+            <numerusform>, davon %n stumm</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>Palettes</name>

@@ -116,6 +116,20 @@
             <numerusform>%n heads have no optics and stay dark until another file stands in.</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>A desk that is silent: %n universe(s)</source>
+        <translation>
+            <numerusform>A desk that is silent: %n universe</numerusform>
+            <numerusform>A desk that is silent: %n universes</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>, %n of them silent</source>
+        <translation>
+            <numerusform>, %n of them silent</numerusform>
+            <numerusform>, %n of them silent</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>Palettes</name>

@@ -67,6 +67,15 @@ constexpr int kLayoutVersion = 3;        // another number: a layout of an older
 constexpr int kTwoColumnsFrom_px = 2200; // of the window; a narrower one has all panels at its left
 constexpr double kDemoBegins_s = 55;     // its first eight seconds are dark
 
+QString words_of_desk(const std::vector<dmx::Universe>& universes) {
+    const auto silent =
+        std::count_if(universes.begin(), universes.end(), [](const dmx::Universe& one) { return one.lost; });
+    const auto all = static_cast<std::ptrdiff_t>(universes.size());
+    if (silent == all) return translated("Notice", "A desk that is silent: %n universe(s)", nullptr, all);
+    const QString words = translated("Notice", "A desk: %n universe(s)", nullptr, all);
+    return silent == 0 ? words : words + translated("Notice", ", %n of them silent", nullptr, silent);
+}
+
 } // namespace
 
 Window::Window(Link& link, const WindowOptions& options)
@@ -478,7 +487,7 @@ void Window::show_status() {
         text = rig.universes.list.empty()
                    ? (listens ? translated("Notice", "Listening for a desk: nothing has come yet")
                               : translated("Notice", "No input: started with --no-desk"))
-                   : translated("Notice", "A desk: %n universe(s)", nullptr, rig.universes.list.size());
+                   : words_of_desk(rig.universes.list);
     else if (rig.recording_s <= 0)
         text = app_.request().input == Input::recording
                    ? translated("Notice", "No recording: the show has none; a desk is not taken (Play menu)")

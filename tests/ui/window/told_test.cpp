@@ -44,6 +44,16 @@ struct Told {
     Window window{link, {.remembers = false, .width = 900, .height = 600}};
 };
 
+TEST(StatusBar, a_desk_that_is_silent_is_called_so) {
+    Told told;
+    told.hear({false});
+    EXPECT_TRUE(told.says("A desk: 1 universe"));
+    told.hear({true});
+    EXPECT_TRUE(told.says("A desk that is silent: 1 universe"));
+    told.hear({false, true, true});
+    EXPECT_TRUE(told.says("A desk: 3 universes, 2 of them silent"));
+}
+
 TEST(Export, a_size_that_is_none_is_said_before_a_file_is_asked_for) {
     Told told;
     ASSERT_TRUE(told.window.actions().run("panel-export on").ok());
