@@ -6788,20 +6788,6 @@ Bitte den Namen des Ordners prüfen.</translation>
         <source>the show that was made of the plot cannot be opened: no fixture file is substituted</source>
         <translation>die Show, die aus dem Plan wurde, lässt sich nicht öffnen: keine Gerätedatei wird ersetzt</translation>
     </message>
-</context>
-<context>
-    <name>Transport</name>
-    <message>
-        <source>Input</source>
-        <translation>Eingang</translation>
-    </message>
-    <message>
-        <source>Desk, else recording</source>
-        <translation>Pult, sonst Aufzeichnung</translation>
-    </message>
-    <message>
-        <source>Desk</source>
-        <translation>Pult</translation>
     <message>
         <source>its passes have %1 pixels, and the window shows it with %2</source>
         <translation>das Vorberechnete hat %1 Pixel, und das Fenster zeigt es mit %2</translation>
@@ -6862,6 +6848,20 @@ Bitte den Namen des Ordners prüfen.</translation>
         <source>&apos;%1&apos; is neither a size like 1920x1080, 16 to 8192 each way, nor a camera of the show</source>
         <translation>&apos;%1&apos; ist weder eine Größe wie 1920x1080, 16 bis 8192 je Richtung, noch eine Kamera der Show</translation>
     </message>
+</context>
+<context>
+    <name>Transport</name>
+    <message>
+        <source>Input</source>
+        <translation>Eingang</translation>
+    </message>
+    <message>
+        <source>Desk, else recording</source>
+        <translation>Pult, sonst Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>Desk</source>
+        <translation>Pult</translation>
     </message>
     <message>
         <source>Recording</source>
@@ -7417,6 +7417,13 @@ Bitte den Namen des Ordners prüfen.</translation>
     <message>
         <source>Cancel</source>
         <translation>Abbrechen</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n job(s) of Export end with the window; a bake keeps what is finished.</source>
+        <translation>
+            <numerusform>%n Auftrag des Exports endet mit dem Fenster; vom Vorberechnen bleibt, was fertig ist.</numerusform>
+            <numerusform>%n Aufträge des Exports enden mit dem Fenster; vom Vorberechnen bleibt, was fertig ist.</numerusform>
+        </translation>
     </message>
 </context>
 </TS>

@@ -237,4 +237,14 @@
         </translation>
     </message>
 </context>
+<context>
+    <name>Window</name>
+    <message numerus="yes">
+        <source>%n job(s) of Export end with the window; a bake keeps what is finished.</source>
+        <translation>
+            <numerusform>%n job of Export ends with the window; a bake keeps what is finished.</numerusform>
+            <numerusform>%n jobs of Export end with the window; a bake keeps what is finished.</numerusform>
+        </translation>
+    </message>
+</context>
 </TS>

@@ -528,8 +528,16 @@ bool Window::asks_to_close() {
                                           .arg(QString::fromStdString(app_.show()->file.filename().string())),
                                       QMessageBox::NoButton, this);
     box->setTextFormat(Qt::PlainText);
-    box->setInformativeText(translated(
-        "Window", "Closed without saving they are kept, and offered when the show is opened again."));
+    QString more = translated(
+        "Window", "Closed without saving they are kept, and offered when the show is opened again.");
+    const std::deque<Job>& jobs = app_.jobs().all();
+    const auto here = std::count_if(jobs.begin(), jobs.end(),
+                                    [](const Job& job) { return !job.is_over() && !is_on_farm(job); });
+    if (here > 0)
+        more += "\n\n" + translated("Window",
+                                    "%n job(s) of Export end with the window; a bake keeps what is finished.",
+                                    nullptr, here);
+    box->setInformativeText(more);
     const auto closes = [this] { QMetaObject::invokeMethod(this, &QWidget::close, Qt::QueuedConnection); };
     QPushButton* const save = box->addButton(translated("Window", "Save and close"), QMessageBox::AcceptRole);
     connect(save, &QPushButton::clicked, this, [this, closes] {
