@@ -2241,6 +2241,20 @@
         <source>Looks keep the old names of fixtures: %1</source>
         <translation>Looks behalten die alten Namen der Geräte: %1</translation>
     </message>
+    <message numerus="yes">
+        <source>A desk that is silent: %n universe(s)</source>
+        <translation>
+            <numerusform>Ein Pult, das schweigt: %n Universum</numerusform>
+            <numerusform>Ein Pult, das schweigt: %n Universen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>, %n of them silent</source>
+        <translation>
+            <numerusform>, davon %n stumm</numerusform>
+            <numerusform>, davon %n stumm</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>Palettes</name>
@@ -6778,6 +6792,66 @@ Bitte den Namen des Ordners prüfen.</translation>
         <source>the show that was made of the plot cannot be opened: no fixture file is substituted</source>
         <translation>die Show, die aus dem Plan wurde, lässt sich nicht öffnen: keine Gerätedatei wird ersetzt</translation>
     </message>
+    <message>
+        <source>its passes have %1 pixels, and the window shows it with %2</source>
+        <translation>das Vorberechnete hat %1 Pixel, und das Fenster zeigt es mit %2</translation>
+    </message>
+    <message>
+        <source>its passes need %1 MB on the device, which has not got them</source>
+        <translation>das Vorberechnete braucht %1 MB auf dem Grafikgerät, die es nicht hat</translation>
+    </message>
+    <message>
+        <source>its passes are of an earlier version of Ghostlight: bake it again, once</source>
+        <translation>das Vorberechnete ist von einer früheren Version von Ghostlight: einmal neu vorberechnen</translation>
+    </message>
+    <message>
+        <source>files of the show changed since its bake: bake it again</source>
+        <translation>Dateien der Show sind seither geändert: neu vorberechnen</translation>
+    </message>
+    <message>
+        <source>%1; run `ghostlight bake` again</source>
+        <translation>%1; noch einmal `ghostlight bake` aufrufen</translation>
+    </message>
+    <message>
+        <source>belongs to another bake than manifest.json says</source>
+        <translation>gehört nicht zu dem, was manifest.json nennt</translation>
+    </message>
+    <message>
+        <source>has version %1, this program reads up to %2</source>
+        <translation>ist Version %1, dieses Programm liest bis %2</translation>
+    </message>
+    <message>
+        <source>is %1 x %2 pixels, expected %3 x %4</source>
+        <translation>hat %1 x %2 Pixel, erwartet: %3 x %4</translation>
+    </message>
+    <message>
+        <source>has no channel %1, expected R, G, B</source>
+        <translation>hat keinen Kanal %1, erwartet: R, G, B</translation>
+    </message>
+    <message>
+        <source>has no channel %1, expected R G B = x y z in metres and A</source>
+        <translation>hat keinen Kanal %1, erwartet: R G B = x y z in Metern und A</translation>
+    </message>
+    <message>
+        <source>fragment %1 is not a finite number</source>
+        <translation>Fragment %1 ist keine endliche Zahl</translation>
+    </message>
+    <message>
+        <source>fragment %1 belongs to no pixel or is out of order</source>
+        <translation>Fragment %1 gehört zu keinem Pixel oder steht nicht an seinem Platz</translation>
+    </message>
+    <message>
+        <source>has no &apos;position&apos;, expected the name of the position picture</source>
+        <translation>hat kein &apos;position&apos;, erwartet: Name des Bildes der Orte</translation>
+    </message>
+    <message>
+        <source>has no [camera] with matrix_world and fov_y_deg</source>
+        <translation>hat kein [camera] mit matrix_world und fov_y_deg</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is neither a size like 1920x1080, 16 to 8192 each way, nor a camera of the show</source>
+        <translation>&apos;%1&apos; ist weder eine Größe wie 1920x1080, 16 bis 8192 je Richtung, noch eine Kamera der Show</translation>
+    </message>
 </context>
 <context>
     <name>Transport</name>
@@ -7347,6 +7421,13 @@ Bitte den Namen des Ordners prüfen.</translation>
     <message>
         <source>Cancel</source>
         <translation>Abbrechen</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n job(s) of Export end with the window; a bake keeps what is finished.</source>
+        <translation>
+            <numerusform>%n Auftrag des Exports endet mit dem Fenster; vom Vorberechnen bleibt, was fertig ist.</numerusform>
+            <numerusform>%n Aufträge des Exports enden mit dem Fenster; vom Vorberechnen bleibt, was fertig ist.</numerusform>
+        </translation>
     </message>
 </context>
 </TS>

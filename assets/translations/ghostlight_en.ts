@@ -116,6 +116,20 @@
             <numerusform>%n heads have no optics and stay dark until another file stands in.</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>A desk that is silent: %n universe(s)</source>
+        <translation>
+            <numerusform>A desk that is silent: %n universe</numerusform>
+            <numerusform>A desk that is silent: %n universes</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>, %n of them silent</source>
+        <translation>
+            <numerusform>, %n of them silent</numerusform>
+            <numerusform>, %n of them silent</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>Palettes</name>
@@ -220,6 +234,16 @@
         <translation>
             <numerusform>%n fixture file substituted</numerusform>
             <numerusform>%n fixture files substituted</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>Window</name>
+    <message numerus="yes">
+        <source>%n job(s) of Export end with the window; a bake keeps what is finished.</source>
+        <translation>
+            <numerusform>%n job of Export ends with the window; a bake keeps what is finished.</numerusform>
+            <numerusform>%n jobs of Export end with the window; a bake keeps what is finished.</numerusform>
         </translation>
     </message>
 </context>

@@ -328,6 +328,8 @@ void add_lost(const dmx::Statistics& statistics, const PatchMap& patch, Sentence
         std::set<int> universes;
     };
     std::vector<dmx::LostUniverse> lost = statistics.lost;
+    // From its last levels on, as all counts that are shown do, not from when it passed for lost.
+    for (dmx::LostUniverse& one : lost) one.since = std::max(one.since, one.silent);
     std::stable_sort(lost.begin(), lost.end(),
                      [](const auto& a, const auto& b) { return a.since > b.since; });
     std::map<std::pair<bool, std::string>, std::vector<Lost>> alike; // black, and why

@@ -306,10 +306,11 @@ TEST(diagnosis, UniversesThatAreLostOneAfterTheOther) {
     EXPECT_EQ(network.troubles(), (Troubles{Trouble::lost, Trouble::lost, Trouble::lost}));
     std::map<std::set<int>, std::string> said;
     for (const Sentence& sentence : network.sentences()) said[sentence.universes] = sentence.text;
-    expect_words(said[{1}], {"universe 1 any more, since 22 s", "Its desk has stopped"});
-    expect_words(said[{2}], {"universe 2 any more, since 5 s", "Its desk has stopped"});
-    expect_words(said[{3}], {"universe 3 any more, since 21 s", "heard all the while, with universe 4"});
-    network.statistics.lost[1].since = 21s;
+    // From their last levels on, not from when they passed for lost.
+    expect_words(said[{1}], {"universe 1 any more, since 24 s", "Its desk has stopped"});
+    expect_words(said[{2}], {"universe 2 any more, since 7 s", "Its desk has stopped"});
+    expect_words(said[{3}], {"universe 3 any more, since 23 s", "heard all the while, with universe 4"});
+    network.statistics.lost[1].silent = 23s;
     EXPECT_EQ(network.troubles(), (Troubles{Trouble::lost, Trouble::lost})) << "one cable, one sentence";
 }
 

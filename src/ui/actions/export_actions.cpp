@@ -3,6 +3,8 @@
 #include "show/show.h"
 #include "ui/language/language.h"
 
+#include <QRegularExpression>
+
 namespace ghost::ui {
 namespace {
 
@@ -33,15 +35,14 @@ Result<void> bake(Exporter& exporter, QStringList words) {
     return {};
 }
 
-Result<void> still(Exporter& exporter, const QStringList& words) {
+Result<void> still(const AppModel& app, Exporter& exporter, const QStringList& words) {
     PictureRequest request;
     request.file = words.value(0);
     if (words.size() > 1) {
+        TRY_VOID(check_still_of(app, words[1]));
         if (const Result<QSize> size = size_of(words[1]); size.ok()) {
             request.width = size->width();
             request.height = size->height();
-        } else if (words[1].contains('x') && words[1][0].isDigit()) {
-            return size.error();
         } else {
             request.camera = words[1];
         }
@@ -81,6 +82,17 @@ Result<QSize> size_of(const QString& words) {
     return Error{"'" + words.toStdString() + "' is no size like 1920x1080, 16 to 8192 each way", ""};
 }
 
+Result<void> check_still_of(const AppModel& app, const QString& words) {
+    const Result<QSize> size = size_of(words);
+    if (size.ok()) return {};
+    static const QRegularExpression kLikeASize("^\\d+x");
+    if (kLikeASize.match(words).hasMatch()) return size.error();
+    if (!app.show() || app.show()->find_camera(words.toStdString()).ok()) return {};
+    return Error{"'" + words.toStdString() +
+                     "' is neither a size like 1920x1080, 16 to 8192 each way, nor a camera of the show",
+                 ""};
+}
+
 void add_export_actions(Actions& actions, AppModel& app, Exporter& exporter) {
     const auto add = [&](const QString& name, const QString& arguments, const Run& run) {
         actions.add({name, "", name, "", arguments, run, {}});
@@ -88,7 +100,7 @@ void add_export_actions(Actions& actions, AppModel& app, Exporter& exporter) {
     add("bake", "[CAMERA|all] [SAMPLES] [BOUNCES] [slurm|local]",
         [&exporter](const QStringList& words) { return bake(exporter, words); });
     add("export-still", "FILE [WxH|CAMERA]",
-        [&exporter](const QStringList& words) { return still(exporter, words); });
+        [&app, &exporter](const QStringList& words) { return still(app, exporter, words); });
     add("export-film", "FILE FROM TO [FPS] [WxH] [slurm|local]",
         [&exporter](const QStringList& words) { return film(exporter, words); });
     add("export-sheet", "FILE [WxH]", [&exporter](const QStringList& words) -> Result<void> {

@@ -6,19 +6,21 @@
 namespace ghost::ui {
 
 QString shortened(const QString& sentence, int most_letters) {
-    // All folders of a path, not its last name. One of a single folder is short enough.
+    // All folders of a path but the one of the file, whose name tells one show.toml from another.
     static const QRegularExpression kFolders(R"rx([^\s:'"(]*/(?:[^\s:'"/]+/)+)rx");
     QString words = sentence;
     while (words.size() > most_letters) {
-        qsizetype longest = 4, at = -1; // longer than what stands for them
+        QString longest;
+        qsizetype at = -1;
         for (auto found = kFolders.globalMatch(words); found.hasNext();) {
             const QRegularExpressionMatch folders = found.next();
-            if (folders.capturedLength() <= longest) continue;
-            longest = folders.capturedLength();
+            if (folders.capturedLength() <= longest.size() || folders.captured().startsWith("...")) continue;
+            longest = folders.captured();
             at = folders.capturedStart();
         }
-        if (at < 0) break;
-        words.replace(at, longest, QString(".../"));
+        const QString last = ".../" + longest.section('/', -2);
+        if (at < 0 || last.size() >= longest.size()) break;
+        words.replace(at, longest.size(), last);
     }
     return words;
 }

@@ -9,6 +9,7 @@
 
 #include <QLocale>
 
+#include <algorithm>
 #include <utility>
 
 namespace ghost::ui {
@@ -19,18 +20,33 @@ constexpr int kDraftAgain_ms = 5000; // where it could not be written
 constexpr int kLookAgain_ms = 1000;
 constexpr int kGoneAfter = 2; // looks, for editors take a file away for a moment
 
-// Of fixtures at the same place in both, names that only the one and only the other has. Where fixtures came
-// or went nobody knows which is which.
+// Of names that only the one and only the other has, those of one fixture: of the same object of a plot, or
+// of the same file at the same address and place, or, where no fixture came or went, of the same number.
+// Where several may be it, nobody knows.
 ShowDocument::FixtureNames names_back(const scene::Show& from, const scene::Show& to) {
-    ShowDocument::FixtureNames names;
-    if (from.fixtures.size() != to.fixtures.size()) return names;
     std::set<std::string> of_from, of_to;
     for (const scene::PatchedFixture& fixture : from.fixtures) of_from.insert(fixture.name);
     for (const scene::PatchedFixture& fixture : to.fixtures) of_to.insert(fixture.name);
-    for (std::size_t i = 0; i < to.fixtures.size(); ++i)
-        if (const std::string& was = from.fixtures[i].name, &is = to.fixtures[i].name;
-            from.fixtures[i].uuid == to.fixtures[i].uuid && !of_to.contains(was) && !of_from.contains(is))
-            names[was] = is;
+    const auto is_same = [](const scene::PatchedFixture& a, const scene::PatchedFixture& b) {
+        return a.uuid == b.uuid && a.gdtf == b.gdtf && a.universe == b.universe && a.address == b.address &&
+               a.position_m == b.position_m;
+    };
+    ShowDocument::FixtureNames names;
+    for (std::size_t i = 0; i < to.fixtures.size(); ++i) {
+        const scene::PatchedFixture& was = to.fixtures[i];
+        if (of_from.contains(was.name)) continue;
+        const bool is_numbered = from.fixtures.size() == to.fixtures.size();
+        if (is_numbered && !of_to.contains(from.fixtures[i].name) && from.fixtures[i].uuid == was.uuid) {
+            names[from.fixtures[i].name] = was.name;
+            continue;
+        }
+        const auto maybe = [&](const scene::PatchedFixture& now) {
+            return !of_to.contains(now.name) && is_same(now, was);
+        };
+        const auto found = std::find_if(from.fixtures.begin(), from.fixtures.end(), maybe);
+        if (found != from.fixtures.end() && std::count_if(found, from.fixtures.end(), maybe) == 1)
+            names[found->name] = was.name;
+    }
     return names;
 }
 

@@ -2,6 +2,7 @@
 #include "ui/panels/export_panel.h"
 
 #include "show/show.h"
+#include "ui/actions/export_actions.h"
 #include "ui/actions/exporter.h"
 #include "ui/language/language.h"
 #include "ui/widgets/theme.h"
@@ -138,13 +139,22 @@ QWidget* ExportPanel::make_pictures() {
     auto* film = new QPushButton(translated("Export", "Film..."), box);
     auto* sheet = new QPushButton(translated("Export", "Contact sheet..."), box);
     sheet->setToolTip(translated("Export", "All looks from all cameras; without looks, the cues"));
-    connect(still, &QPushButton::clicked, this, [this] {
+    // Before a file is asked for, which would be for nothing.
+    const auto can_be = [this](const Result<void>& done) {
+        if (!done.ok()) actions_.complain(done.error());
+        return done.ok();
+    };
+    connect(still, &QPushButton::clicked, this, [this, can_be] {
+        if (camera_->currentIndex() <= 0 && !can_be(check_still_of(app_, size_->currentText()))) return;
         run_with_file("export-still", translated("Export", "Save a still"),
                       translated("Files", "Pictures (*.png *.exr)"),
-                      camera_->currentIndex() <= 0 ? size_->currentText()
+                      camera_->currentIndex() <= 0 ? "\"" + size_->currentText() + "\""
                                                    : "\"" + camera_->currentText() + "\"");
     });
-    connect(film, &QPushButton::clicked, this, [this] {
+    connect(film, &QPushButton::clicked, this, [this, can_be] {
+        if (const auto size = size_of(size_->currentText());
+            !can_be(size.ok() ? Result<void>() : size.error()))
+            return;
         run_with_file("export-film", translated("Export", "Save a film"),
                       translated("Files", "Films (*.mp4)"),
                       QString("%1 %2 %3 %4%5")

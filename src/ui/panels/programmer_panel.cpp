@@ -123,6 +123,23 @@ ValueRow* ProgrammerPanel::add_row(const QString& name, const ValueRange& range,
                             programmer.*value = static_cast<float>(number * per_unit);
                         });
     };
+    row->on_mixed_step = [this, name, kind, role, value, now, per_unit, range](double by) {
+        Look look = app_.look();
+        for (const std::size_t index : app_.selection()) {
+            if (index >= app_.rig().fixtures.size()) continue;
+            const scene::PatchedFixture& fixture = app_.show()->fixtures[index];
+            // Whatever a file counts its dimmer in, a hand counts from 0 to 1.
+            const std::optional<fixture::AxisRange> reach = fixture.type && role != fixture::Role::dimmer
+                                                                ? fixture::reach_of(fixture.patch(), role)
+                                                                : std::nullopt;
+            const double low = reach ? static_cast<double>(reach->low) : range.low * per_unit,
+                         high = reach ? static_cast<double>(reach->high) : range.high * per_unit;
+            const float before = (programmer_of(index).*value).value_or(app_.rig().fixtures[index].*now);
+            look.fixtures[index].*value =
+                static_cast<float>(std::clamp(static_cast<double>(before) + by * per_unit, low, high));
+        }
+        app_.set_look(std::move(look), name.toLower(), kind);
+    };
     row->on_release = [this, name, role, value] {
         Look look = app_.look();
         for (const std::size_t index : app_.selection()) {

@@ -24,8 +24,13 @@ MixedSpinBox::MixedSpinBox(QWidget* parent) : QDoubleSpinBox(parent) {
         if (std::exchange(is_mixed_, false)) is_typed_over_ = true;
     });
     connect(this, &QAbstractSpinBox::editingFinished, this, [this] {
+        lineEdit()->setModified(false);
         if (std::exchange(is_typed_over_, false) && on_typed_over) on_typed_over(value());
     });
+}
+
+bool MixedSpinBox::is_being_typed() const {
+    return is_typed_over_ || (hasFocus() && lineEdit()->isModified());
 }
 
 void MixedSpinBox::set_mixed(bool mixed) {
@@ -35,6 +40,18 @@ void MixedSpinBox::set_mixed(bool mixed) {
     is_mixed_ = mixed;
     setSuffix(unit);
     lineEdit()->setText(textFromValue(value()) + unit);
+}
+
+void MixedSpinBox::stepBy(int steps) {
+    if (is_mixed_ && on_mixed_step)
+        on_mixed_step(steps * singleStep());
+    else
+        QDoubleSpinBox::stepBy(steps);
+}
+
+// The value behind the word may be at its end, the others are not.
+QAbstractSpinBox::StepEnabled MixedSpinBox::stepEnabled() const {
+    return is_mixed_ && on_mixed_step ? StepUpEnabled | StepDownEnabled : QDoubleSpinBox::stepEnabled();
 }
 
 QString MixedSpinBox::textFromValue(double value) const {
@@ -82,6 +99,9 @@ ValueRow::ValueRow(const QString& name, const ValueRange& range, QWidget* parent
     field_->on_typed_over = [this](double value) {
         if (on_change) on_change(value);
     };
+    field_->on_mixed_step = [this](double by) {
+        if (on_mixed_step) on_mixed_step(by);
+    };
     connect(release_, &QToolButton::clicked, this, [this] {
         if (on_release) on_release();
     });
@@ -117,7 +137,7 @@ void ValueRow::show_value(double value, bool by_hand, bool mixed) {
     {
         const Following following(follows_);
         if (!slider_->isSliderDown()) slider_->setValue(to_slider(value));
-        if (!field_->is_typed_over() && (!field_->hasFocus() || by_hand || !on_release)) {
+        if (!field_->is_being_typed()) {
             field_->set_mixed(mixed);
             field_->setValue(value);
         }

@@ -30,12 +30,18 @@ public:
     explicit MixedSpinBox(QWidget* parent);
     bool is_mixed() const { return is_mixed_; }
     void set_mixed(bool mixed);
-    bool is_typed_over() const { return is_typed_over_; }
+    bool is_being_typed() const; // and not entered
     // A number was typed in the place of the word, be it that of the first.
     std::function<void(double)> on_typed_over;
+    // A step of what is mixed has no number to begin from.
+    std::function<void(double by)> on_mixed_step;
+    void stepBy(int steps) override;
     QString textFromValue(double value) const override;
     double valueFromText(const QString& text) const override;
     QValidator::State validate(QString& text, int& place) const override;
+
+protected:
+    StepEnabled stepEnabled() const override;
 
 private:
     bool is_mixed_ = false;
@@ -56,7 +62,9 @@ public:
     // Does not call back.
     void set_reach(double low, double high);
     std::function<void(double)> on_change; // a person moved it
-    std::function<void()> on_release;      // none: there is nothing to give it back to
+    // Mixed, each of its own value by so much; for who shows what is mixed.
+    std::function<void(double by)> on_mixed_step;
+    std::function<void()> on_release; // none: there is nothing to give it back to
 
 private:
     int to_slider(double value) const;

@@ -34,6 +34,7 @@
 #include "ui/widgets/focus_guide.h"
 #include "ui/widgets/panel_area.h"
 #include "ui/widgets/popup_keys.h"
+#include "ui/widgets/undo_keys.h"
 #include "ui/widgets/wheel_guard.h"
 #include "ui/window/private/meter_actions.h"
 #include "ui/window/private/notice_bar.h"
@@ -66,6 +67,15 @@ constexpr int kLayoutVersion = 3;        // another number: a layout of an older
 constexpr int kTwoColumnsFrom_px = 2200; // of the window; a narrower one has all panels at its left
 constexpr double kDemoBegins_s = 55;     // its first eight seconds are dark
 
+QString words_of_desk(const std::vector<dmx::Universe>& universes) {
+    const auto silent =
+        std::count_if(universes.begin(), universes.end(), [](const dmx::Universe& one) { return one.lost; });
+    const auto all = static_cast<std::ptrdiff_t>(universes.size());
+    if (silent == all) return translated("Notice", "A desk that is silent: %n universe(s)", nullptr, all);
+    const QString words = translated("Notice", "A desk: %n universe(s)", nullptr, all);
+    return silent == 0 ? words : words + translated("Notice", ", %n of them silent", nullptr, silent);
+}
+
 } // namespace
 
 Window::Window(Link& link, const WindowOptions& options)
@@ -78,6 +88,7 @@ Window::Window(Link& link, const WindowOptions& options)
     setAcceptDrops(true);
     qApp->installEventFilter(new WheelGuard(this));
     qApp->installEventFilter(new PopupKeys(this));
+    qApp->installEventFilter(new UndoKeys(this));
     setDockNestingEnabled(true);
     setCentralWidget(view_);
     for (QLabel* const one : {status_input_, status_supply_, status_jobs_, status_device_})
@@ -473,7 +484,7 @@ void Window::show_status() {
         text = rig.universes.list.empty()
                    ? (listens ? translated("Notice", "Listening for a desk: nothing has come yet")
                               : translated("Notice", "No input: started with --no-desk"))
-                   : translated("Notice", "A desk: %n universe(s)", nullptr, rig.universes.list.size());
+                   : words_of_desk(rig.universes.list);
     else if (rig.recording_s <= 0)
         text = app_.request().input == Input::recording
                    ? translated("Notice", "No recording: the show has none; a desk is not taken (Play menu)")
@@ -514,8 +525,16 @@ bool Window::asks_to_close() {
                                           .arg(QString::fromStdString(app_.show()->file.filename().string())),
                                       QMessageBox::NoButton, this);
     box->setTextFormat(Qt::PlainText);
-    box->setInformativeText(translated(
-        "Window", "Closed without saving they are kept, and offered when the show is opened again."));
+    QString more = translated(
+        "Window", "Closed without saving they are kept, and offered when the show is opened again.");
+    const std::deque<Job>& jobs = app_.jobs().all();
+    const auto here = std::count_if(jobs.begin(), jobs.end(),
+                                    [](const Job& job) { return !job.is_over() && !is_on_farm(job); });
+    if (here > 0)
+        more += "\n\n" + translated("Window",
+                                    "%n job(s) of Export end with the window; a bake keeps what is finished.",
+                                    nullptr, here);
+    box->setInformativeText(more);
     const auto closes = [this] { QMetaObject::invokeMethod(this, &QWidget::close, Qt::QueuedConnection); };
     QPushButton* const save = box->addButton(translated("Window", "Save and close"), QMessageBox::AcceptRole);
     connect(save, &QPushButton::clicked, this, [this, closes] {

@@ -155,6 +155,32 @@ TEST_F(Language, SoIsWhatElseIsSaidOfTheNetworkAndOfLamps) {
     EXPECT_GT(lines, 60);
 }
 
+TEST_F(Language, SoIsWhyABakedPictureIsNotShown) {
+    EXPECT_EQ(
+        in_german(
+            "live: house, because its passes have 1024x300 pixels, and the window shows it with 1055x309"),
+        "live: house, denn das Vorberechnete hat 1024x300 Pixel, und das Fenster zeigt es mit 1055x309");
+    // All else that may stand there.
+    for (const char* const why :
+         {"its passes need 3 MB on the device, which has not got them", "it is not baked",
+          "its passes are of an earlier version of Ghostlight: bake it again, once",
+          "its passes are not whole: bake it again", "its passes are being read",
+          "files of the show changed since its bake: bake it again",
+          "a.exr: belongs to another bake than manifest.json says; run `ghostlight bake` again",
+          "a.json: has version 9, this program reads up to 4; run `ghostlight bake` again",
+          "a.exr: is 4 x 3 pixels, expected 8 x 6", "a.exr: has no channel G, expected R, G, B",
+          "a.exr: has no channel G, expected R G B = x y z in metres and A",
+          "a.exr: fragment 7 is not a finite number",
+          "a.exr: fragment 7 belongs to no pixel or is out of order",
+          "a.toml: has no 'position', expected the name of the position picture",
+          "a.toml: has no [camera] with matrix_world and fov_y_deg"}) {
+        const std::string said = in_german((std::string("live: house, because ") + why).c_str());
+        EXPECT_EQ(said.rfind("live: house, denn ", 0), 0u) << said;
+        for (const char* const english : {"passes", "baked", "again", "has ", "which", "expected", "belongs"})
+            EXPECT_EQ(said.find(english), std::string::npos) << said;
+    }
+}
+
 TEST_F(Language, ANameIsNoPartOfASentence) {
     EXPECT_EQ(
         in_german("'Sound and Light on channel 5. Now; on universe 3' (10.0.0.1), 'A and B' (10.0.0.2) and "

@@ -93,6 +93,51 @@ TEST(ProgrammerPanel, values_that_differ_are_mixed_until_one_is_given_to_all) {
     EXPECT_FALSE(field->is_mixed());
 }
 
+TEST(ProgrammerPanel, a_step_of_what_is_mixed_moves_each_head_by_one) {
+    Heads heads;
+    const auto set_pan = [&](std::size_t head, float deg) {
+        heads.app.select({head});
+        change_selected(heads.app, "pan", ProgrammerStep::step,
+                        [&](fixture::Programmer& programmer) { programmer.pan_deg = deg; });
+    };
+    set_pan(0, 270);
+    set_pan(1, -30);
+    set_pan(2, 10);
+    heads.app.select({0, 1, 2});
+    auto* const field = heads.value("Pan")->findChild<MixedSpinBox*>();
+    ASSERT_TRUE(field->is_mixed());
+    const auto step = static_cast<float>(field->singleStep());
+    const auto pan = [&](std::size_t head) { return *heads.app.look().fixtures.at(head).pan_deg; };
+    field->stepUp();
+    settle();
+    EXPECT_FLOAT_EQ(pan(0), 270) << "at its end";
+    EXPECT_FLOAT_EQ(pan(1), -30 + step);
+    EXPECT_FLOAT_EQ(pan(2), 10 + step);
+    EXPECT_TRUE(field->is_mixed());
+    field->stepBy(-2);
+    settle();
+    EXPECT_FLOAT_EQ(pan(0), 270 - 2 * step);
+    EXPECT_FLOAT_EQ(pan(1), -30 - step);
+    heads.app.undo_stack().undo();
+    EXPECT_FLOAT_EQ(pan(2), 10) << "steps in a row are one";
+}
+
+TEST(ProgrammerPanel, a_number_that_is_undone_is_shown_though_its_field_has_the_focus) {
+    Heads heads;
+    heads.app.select({0});
+    auto* const field = heads.value("Tilt")->findChild<MixedSpinBox*>();
+    heads.panel.activateWindow();
+    field->setFocus();
+    settle();
+    ASSERT_TRUE(field->hasFocus());
+    const double before = field->value();
+    field->stepUp();
+    EXPECT_NE(field->value(), before);
+    heads.app.undo_stack().undo();
+    settle();
+    EXPECT_EQ(field->value(), before);
+}
+
 TEST(ProgrammerPanel, nothing_is_warm_when_nothing_is_selected) {
     Heads heads;
     heads.app.select({0});

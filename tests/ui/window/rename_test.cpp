@@ -134,6 +134,9 @@ TEST(Rename, changes_that_are_dropped_give_looks_the_names_back) {
         first.open();
         first.app.select({0});
         ASSERT_TRUE(first.edit.rename("Solo").ok());
+        // Others that came do not hide which is which.
+        first.app.select({1});
+        ASSERT_TRUE(first.edit.duplicate({1, 0, 0}).ok());
         ASSERT_TRUE(first.document.keep().ok());
     }
     Desk second(place.path().toStdString());

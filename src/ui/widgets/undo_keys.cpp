@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/widgets/undo_keys.h"
+
+#include <QAbstractSpinBox>
+#include <QComboBox>
+#include <QKeyEvent>
+#include <QLineEdit>
+
+namespace ghost::ui {
+
+namespace {
+
+// The text of a spin box or an editable list is in a field inside of it, which gets their keys.
+QLineEdit* field_of(QObject* object) {
+    if (auto* const list = qobject_cast<QComboBox*>(object)) return list->lineEdit();
+    if (auto* const number = qobject_cast<QAbstractSpinBox*>(object))
+        return number->findChild<QLineEdit*>(QString(), Qt::FindDirectChildrenOnly);
+    return qobject_cast<QLineEdit*>(object);
+}
+
+} // namespace
+
+bool UndoKeys::eventFilter(QObject* object, QEvent* event) {
+    if (event->type() != QEvent::ShortcutOverride && event->type() != QEvent::KeyPress) return false;
+    const auto& key = *static_cast<const QKeyEvent*>(event);
+    if (event->type() == QEvent::KeyPress) {
+        // Qt counts what was entered as typed until another text is set.
+        if (key.key() == Qt::Key_Return || key.key() == Qt::Key_Enter)
+            if (QLineEdit* const field = field_of(object)) field->setModified(false);
+        return false;
+    }
+    if (!key.matches(QKeySequence::Undo) && !key.matches(QKeySequence::Redo)) return false;
+    const QLineEdit* const field = field_of(object);
+    return field && !field->isModified(); // nobody overrides the shortcut
+}
+
+} // namespace ghost::ui

@@ -1,0 +1,20 @@
+#pragma once
+// SPDX-License-Identifier: Apache-2.0
+// UndoKeys: undo and redo are the window's also where a field of one line has the focus (a number, an
+// editable list), which would take them for its own text. It keeps them only while something is typed in it
+// that was not entered. Window thread.
+
+#include <QObject>
+
+namespace ghost::ui {
+
+class UndoKeys : public QObject {
+    Q_OBJECT
+public:
+    using QObject::QObject;
+
+protected:
+    bool eventFilter(QObject* object, QEvent* event) override; // of the application
+};
+
+} // namespace ghost::ui

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+// Ctrl+Z and Ctrl+Shift+Z where something else than the picture has the focus.
+#include "support/test_window.h"
+
+#include "ui/widgets/undo_keys.h"
+#include "ui/window/window.h"
+
+#include <QAbstractItemView>
+#include <QAbstractSpinBox>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QKeyEvent>
+#include <QLineEdit>
+#include <QSlider>
+
+namespace ghost::ui {
+namespace {
+
+// Qt asks so whether a widget wants the key for itself, before it looks for a shortcut.
+bool keeps(QWidget& widget, int key, Qt::KeyboardModifiers modifiers) {
+    QKeyEvent event(QEvent::ShortcutOverride, key, modifiers);
+    event.ignore();
+    QCoreApplication::sendEvent(&widget, &event);
+    return event.isAccepted();
+}
+
+bool keeps_undo(QWidget& widget) {
+    const bool undo = keeps(widget, Qt::Key_Z, Qt::ControlModifier);
+    EXPECT_EQ(keeps(widget, Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier), undo);
+    return undo;
+}
+
+void type(QWidget& widget, int key, const QString& text = {}) {
+    QKeyEvent event(QEvent::KeyPress, key, Qt::NoModifier, text);
+    QCoreApplication::sendEvent(&widget, &event);
+}
+
+TEST(UndoKeys, no_control_of_the_window_keeps_undo_for_itself) {
+    Link link;
+    Window window(link, {.remembers = false, .width = 900, .height = 600});
+    window.show();
+    link.opened.put(four_lamps());
+    link.rig.put(four_lit());
+    link.on_news();
+    settle();
+    int fields = 0;
+    for (QWidget* const one : window.findChildren<QWidget*>()) {
+        const bool is_field = qobject_cast<QAbstractSpinBox*>(one) || qobject_cast<QLineEdit*>(one);
+        if (!is_field && !qobject_cast<QComboBox*>(one) && !qobject_cast<QAbstractItemView*>(one) &&
+            !qobject_cast<QSlider*>(one))
+            continue;
+        fields += is_field ? 1 : 0;
+        EXPECT_FALSE(keeps_undo(*one))
+            << one->metaObject()->className() << " " << one->accessibleName().toStdString();
+    }
+    EXPECT_GT(fields, 10);
+}
+
+TEST(UndoKeys, what_is_typed_and_not_entered_is_undone_in_its_field) {
+    UndoKeys keys;
+    qApp->installEventFilter(&keys);
+    QDoubleSpinBox number;
+    QComboBox list;
+    list.setEditable(true);
+    QLineEdit text;
+    for (QWidget* const one : std::initializer_list<QWidget*>{&number, &list, &text}) {
+        SCOPED_TRACE(one->metaObject()->className());
+        EXPECT_FALSE(keeps_undo(*one));
+        type(*one, Qt::Key_7, "7");
+        EXPECT_TRUE(keeps_undo(*one));
+        type(*one, Qt::Key_Return);
+        EXPECT_FALSE(keeps_undo(*one)) << "entered";
+        EXPECT_TRUE(keeps(*one, Qt::Key_A, Qt::ControlModifier)) << "any other key is its own";
+    }
+    number.stepUp();
+    EXPECT_FALSE(keeps_undo(number));
+}
+
+} // namespace
+} // namespace ghost::ui
