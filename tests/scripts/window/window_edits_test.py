@@ -8,7 +8,7 @@ import sys
 import tomllib
 import unittest
 
-sys.path.insert(0, str(pathlib.Path(__file__).parent / "lib"))
+sys.path.insert(0, str(pathlib.Path(__file__).parent.parent / "lib"))
 from window import Window, main  # noqa: E402
 
 WORK = None
