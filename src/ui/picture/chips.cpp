@@ -4,6 +4,7 @@
 #include "ui/actions/bounce_edit.h"
 #include "ui/actions/programmer_actions.h"
 #include "ui/language/language.h"
+#include "ui/model/shortened.h"
 #include "ui/widgets/theme.h"
 
 #include <QFontMetricsF>
@@ -18,6 +19,7 @@ namespace {
 
 constexpr double kGap_px = 6, kEdge_px = 8;
 constexpr double kLoud = 1.5; // times the letters of the others
+constexpr int kMostLetters = 50;
 
 QString clock_of(double seconds) {
     const int whole = static_cast<int>(std::floor(std::max(seconds, 0.0)));
@@ -54,6 +56,9 @@ std::vector<Chip> chips_of(const AppModel& app) {
     const Picture& picture = app.picture();
     const ViewRequest& request = app.request();
     std::vector<Chip> chips;
+    // The show before is seen until then.
+    if (app.is_opening() && !app.activity().empty())
+        chips.push_back({shortened(said(app.activity()), kMostLetters), accent(), true});
     if (request.black_out) chips.push_back({translated("Chips", "BLACK-OUT"), bad(), true});
     if (request.frozen) chips.push_back({translated("Chips", "FROZEN"), QColor(110, 190, 255), true});
     chips.push_back(of_input(app));
@@ -69,6 +74,8 @@ std::vector<Chip> chips_of(const AppModel& app) {
     if (picture.missing_maps > 0)
         chips.push_back(
             {translated("Chips", "%n light(s) throw no shadows yet", nullptr, picture.missing_maps), {}});
+    if (!app.is_opening() && !app.activity().empty())
+        chips.push_back({shortened(said(app.activity()), kMostLetters), {}});
     if (app.bounce().state == BounceNow::State::makes_links)
         chips.push_back({translated("Chips", "bounced light: %1").arg(words_of(app.bounce())), {}});
     return chips;

@@ -40,5 +40,32 @@ TEST(Chips, a_desk_that_sends_no_more_is_told_from_one_that_does) {
     EXPECT_NE(in_part.ground, good());
 }
 
+// Twenty seconds of the show before would pass for a window that has not understood.
+TEST(Chips, another_show_that_is_opened_is_said_first) {
+    Heard heard;
+    heard.app.open("/home/me/shows/tour/show.toml");
+    heard.link.activity.put("opening /home/me/shows/tour/show.toml");
+    heard.link.on_news();
+    settle();
+    const Chip opening = chips_of(heard.app).front();
+    EXPECT_EQ(opening.text, "opening /home/me/shows/tour/show.toml");
+    EXPECT_TRUE(opening.is_loud);
+    heard.link.activity.put("");
+    heard.link.on_news();
+    settle();
+    EXPECT_EQ(chips_of(heard.app).front().text, "NO DESK YET");
+}
+
+TEST(Chips, an_edit_that_is_read_is_said_behind_what_stands_there) {
+    Heard heard;
+    heard.link.activity.put("taking the changes of tour/show.toml");
+    heard.link.on_news();
+    settle();
+    const std::vector<Chip> chips = chips_of(heard.app);
+    EXPECT_EQ(chips.front().text, "NO DESK YET");
+    EXPECT_EQ(chips.back().text, "taking the changes of tour/show.toml");
+    EXPECT_FALSE(chips.back().is_loud);
+}
+
 } // namespace
 } // namespace ghost::ui
