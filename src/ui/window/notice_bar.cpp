@@ -12,6 +12,21 @@
 #include <utility>
 
 namespace ghost::ui {
+namespace {
+
+// As wide as there is room, and no higher than its words need there: Qt wants one that wraps to be half as
+// high as it is wide, and the bar would push the panels down.
+class NoticeWords : public QLabel {
+public:
+    using QLabel::QLabel;
+    QSize sizeHint() const override {
+        const int wide = window()->width() / 2;
+        return {wide, heightForWidth(wide)};
+    }
+    QSize minimumSizeHint() const override { return {fontMetrics().averageCharWidth() * 20, 0}; }
+};
+
+} // namespace
 
 NoticeBar::NoticeBar(Actions& actions, ShowDocument& document, AppModel& app, QWidget* parent)
     : QToolBar(translated("Notice", "Notice"), parent), actions_(actions), document_(document), app_(app) {
@@ -115,7 +130,7 @@ void NoticeBar::ask(const QString& words, const std::vector<Answer>& answers, Ki
     words_ = words;
     says_not_opened_ = false;
     setStyleSheet(kind == Kind::fault ? "QToolBar { background: #6e2119; }" : "");
-    auto* label = new QLabel(words, this);
+    auto* label = new NoticeWords(words, this);
     label->setContentsMargins(8, 0, 8, 0);
     label->setWordWrap(true);
     label->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);

@@ -80,6 +80,24 @@ TEST(NotOpened, a_show_that_fails_beside_an_open_one_is_said_in_the_bar_and_stay
     EXPECT_FALSE(failing.first_message().contains("quotation mark"));
 }
 
+// A bar that is higher than its words pushes all panels down, and up again.
+TEST(NotOpened, the_bar_is_no_higher_than_its_words_need) {
+    Failing failing;
+    failing.open_one();
+    failing.window.resize(1366, 768);
+    settle();
+    const std::string words = "description.xml: 'Gobo 2 Index' and 'Gobo 2 Rotation' both say what a slot is";
+    for (const int times : {1, 2, 5}) {
+        std::string all = words;
+        for (int k = 1; k < times; ++k) all += ", " + words;
+        failing.fail({all, "/nowhere/show" + std::to_string(times) + ".toml"});
+        const auto* label = failing.bar->findChildren<QLabel*>().last();
+        const int line_px = label->fontMetrics().lineSpacing();
+        EXPECT_LE(failing.bar->height(), label->heightForWidth(label->width()) + 3 * line_px) << times;
+        EXPECT_GE(label->height(), label->heightForWidth(label->width())) << times << ": all of it is seen";
+    }
+}
+
 TEST(NotOpened, without_a_file_there_is_nothing_to_open_and_the_next_show_takes_the_line_away) {
     Failing failing;
     failing.fail({"no such file or folder", "/nowhere/show.toml"});
