@@ -123,7 +123,9 @@ void Jobs::begin_next() {
             read();
             if (!unread_.isEmpty()) take_line(QString::fromUtf8(std::exchange(unread_, {})));
             Job* job = running();
-            if (job && code == 1 && job->last_said.endsWith(kMadeButMissing)) job->is_incomplete = true;
+            if (job)
+                job->is_incomplete =
+                    code == 1 && !job->remarks.isEmpty() && job->last_said.endsWith(kMadeButMissing);
             const bool is_made = code == 0 || (job && job->is_incomplete);
             end(status == QProcess::NormalExit && is_made ? Job::State::done : Job::State::failed);
         },

@@ -22,6 +22,16 @@ struct Listed {
         return rows;
     }
 
+    // Each of the four lamps of its own brightness.
+    void shine() {
+        RigNow rig;
+        rig.fixtures.resize(4);
+        for (std::size_t i = 0; i < 4; ++i) rig.fixtures[i].dimmer = std::array{1.0f, 0.05f, 0.4f, 0.0f}[i];
+        link.rig.put(rig);
+        link.on_news();
+        settle();
+    }
+
     Link link;
     AppModel app{link};
     FixtureList list{app, nullptr};
@@ -50,12 +60,7 @@ TEST(FixtureList, numbers_are_sorted_by_what_they_are) {
     show.fixtures[3].position_m.x = -10;
     opened.show = std::make_shared<const scene::Show>(show);
     Listed listed(std::move(opened));
-    RigNow rig;
-    rig.fixtures.resize(4);
-    for (std::size_t i = 0; i < 4; ++i) rig.fixtures[i].dimmer = std::array{1.0f, 0.05f, 0.4f, 0.0f}[i];
-    listed.link.rig.put(rig);
-    listed.link.on_news();
-    settle();
+    listed.shine();
     listed.filter.sort(FixtureList::name);
     EXPECT_EQ(listed.column(FixtureList::name), (Texts{"Lamp 1", "lamp 9", "Lamp 10", "Spot"}));
     listed.filter.sort(FixtureList::patch);
@@ -142,15 +147,7 @@ TEST(FixtureList, a_file_that_is_not_read_yet_is_not_one_that_cannot_be_read) {
 // An edit is listed at once; what is said of the rig is of the show before until it is read.
 TEST(FixtureList, levels_stay_with_their_fixtures_while_an_edit_is_read) {
     Listed listed(four_lamps());
-    const auto say = [&] {
-        RigNow rig;
-        rig.fixtures.resize(4);
-        for (std::size_t i = 0; i < 4; ++i) rig.fixtures[i].dimmer = std::array{1.0f, 0.05f, 0.4f, 0.0f}[i];
-        listed.link.rig.put(rig);
-        listed.link.on_news();
-        settle();
-    };
-    say();
+    listed.shine();
     scene::Show show = *listed.app.show();
     show.fixtures.insert(show.fixtures.begin() + 1, show.fixtures[0]);
     show.fixtures[1].name = "Lamp 5";
@@ -158,7 +155,7 @@ TEST(FixtureList, levels_stay_with_their_fixtures_while_an_edit_is_read) {
     listed.app.put_edit(text, show, {}, {});
     const Texts levels{"100 %", "0 %", "5 %", "40 %", "0 %"};
     EXPECT_EQ(listed.column(FixtureList::level), levels);
-    say();
+    listed.shine();
     EXPECT_EQ(listed.column(FixtureList::level), levels);
     show.fixtures[2].name = "Other";
     listed.app.put_edit(std::make_shared<const std::string>("again"), show, {}, {});
