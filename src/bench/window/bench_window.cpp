@@ -85,7 +85,7 @@ Result<void> bench_window(const BenchOptions& options, const BenchSink& sink) {
     if (options.soak_seconds > 0) return window_soak(options, sink);
     TRY_VOID(measure(options, {"free camera", "camera 1\nbaked off\n", ""}, sink));
     TRY_VOID(bake_first_camera(options));
-    TRY_VOID(measure(options, {"baked camera", "camera 1\nbaked on\n", ""}, sink));
+    TRY_VOID(measure(options, {"baked camera", "camera 1\nbaked on\npanel-fixtures on\n", ""}, sink));
     TRY_VOID(measure(options, {"camera that flies", "baked off\n", flight()}, sink));
     for (const int fixtures : {60, 400}) {
         TRY(const Festival festival, Festival::make(fixtures));

@@ -48,10 +48,9 @@ std::uint32_t size_of(const shared::Light& light, const BeamExtent& extent, FanD
 constexpr float kShadeRows = 2;
 constexpr std::uint32_t kMostShadeHalvings = 3;
 
-// Half as fine as it would be, or as the beam's width in the picture asks for.
-void set_coarse_shade(shared::Fan& fan, const BeamExtent& extent) {
-    fan.coarse_shade = 1;
-    if (extent.surrounds) return;
+void set_shade(shared::Fan& fan, const BeamExtent& extent, ShadeDetail detail) {
+    if (detail == ShadeDetail::coarse) fan.coarse_shade = 1;
+    if (detail == ShadeDetail::full || extent.surrounds) return;
     const float wanted = kShadeRows * extent.widest_pixels();
     while (fan.coarse_shade < kMostShadeHalvings &&
            static_cast<float>(shared::fan_shade_rows(fan)) / 2 >= wanted)
@@ -134,7 +133,7 @@ shared::Planes planes_of(const glm::dvec3& place_m, const shared::Light& light, 
 } // namespace
 
 shared::Fan make_fan(const shared::Light& light, const glm::vec3& eye_m, float pixels_per_rad, float reach_m,
-                     FanDetail detail, std::uint32_t layer, bool coarse_shade) {
+                     FanDetail detail, std::uint32_t layer, ShadeDetail shade) {
     const glm::dvec3 apex_m(light.position_m);
     const double tangent = static_cast<double>(light.tan_field) * static_cast<double>(light.cut_radius);
     shared::Fan fan{};
@@ -156,7 +155,7 @@ shared::Fan make_fan(const shared::Light& light, const glm::vec3& eye_m, float p
     fan.most = std::max({light.colour_b.x, light.colour_b.y, light.colour_b.z, 1.0f});
     fan.layer = layer;
     fan.size = size_of(light, extent, detail);
-    if (coarse_shade) set_coarse_shade(fan, extent);
+    set_shade(fan, extent, shade);
     // Detail finer than a column would be cut into steps. The gobos' own levels of blur are used as they are.
     const float finest = std::max(2.0f * light.cut_radius / static_cast<float>(fan.size), light.edge);
     if (light.shaped != 0) {

@@ -8,10 +8,16 @@
 
 namespace ghost::render {
 
+// Rows and columns of the shade.
+enum class ShadeDetail {
+    full,
+    seen,   // no more than the beam's width in the picture asks for
+    coarse, // likewise, and half of all of them at most
+};
+
 // pixels_per_rad: of the picture, in its middle. A beam that is small in the picture needs less. reach_m:
-// along the beam, from its apex, beyond which nothing of it is seen. detail: of shaped beams. coarse_shade:
-// for a picture of a moment.
+// along the beam, from its apex, beyond which nothing of it is seen. detail: of shaped beams.
 shared::Fan make_fan(const shared::Light& light, const glm::vec3& eye_m, float pixels_per_rad, float reach_m,
-                     FanDetail detail, std::uint32_t layer, bool coarse_shade = false);
+                     FanDetail detail, std::uint32_t layer, ShadeDetail shade = ShadeDetail::full);
 
 } // namespace ghost::render

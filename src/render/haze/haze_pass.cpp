@@ -20,8 +20,7 @@ namespace {
 constexpr std::uint64_t kAlign = 256; // offset of a uniform buffer, at most, on every device
 constexpr std::uint64_t kChunkBytes = shared::kLightsPerChunk * sizeof(shared::Fan);
 constexpr std::uint32_t kRowsPerGroup = 16; // fan.comp
-// While things move shades are coarser from here on, and where light is coarse: else they cost 3 dB of 47 and
-// save a tenth.
+// While things move shades are coarse from here on, and where light is coarse: else that costs 3 dB of 47.
 constexpr std::size_t kManyTables = 24;
 constexpr std::uint64_t kFanBytes = std::uint64_t{6} << 20; // tables and grid
 // From here on shaped beams have plain tables: many lie over each other.
@@ -170,8 +169,15 @@ void HazePass::record_samples(gpu::Commands& commands, const LightChunk& chunk) 
     }
 }
 
-bool HazePass::has_coarse_shade() const {
-    return flies_ || (uses_grid_ && (filled_.size() >= kManyTables || detail_ == FanDetail::plain));
+// The next picture is seen from elsewhere, or by other light.
+bool HazePass::is_of_moment() const {
+    return flies_ || uses_grid_;
+}
+
+ShadeDetail HazePass::shade_detail() const {
+    if (!is_of_moment()) return ShadeDetail::full;
+    const bool many = filled_.size() >= kManyTables;
+    return flies_ || many || detail_ == FanDetail::plain ? ShadeDetail::coarse : ShadeDetail::seen;
 }
 
 std::pair<std::uint32_t, bool> HazePass::layer_for(const shared::Light& light, const shared::Fan& fan) {
@@ -205,9 +211,9 @@ void HazePass::record_gate(gpu::Commands& commands, const LightChunk& chunk) {
     std::vector<bool> fills; // of single lights
     for (std::uint32_t k = 0; k < chunk.count(); ++k) {
         const shared::Light& light = chunk.lights[k];
-        shared::Fan fan = make_fan(light, chunk.fragments.eye_m, chunk.fragments.pixels_per_rad,
-                                   reach_m(light, chunk.fragments), flies_ ? FanDetail::plain : detail_,
-                                   k % batch_size_, has_coarse_shade());
+        shared::Fan fan = make_fan(
+            light, chunk.fragments.eye_m, chunk.fragments.pixels_per_rad, reach_m(light, chunk.fragments),
+            is_of_moment() ? FanDetail::plain : detail_, k % batch_size_, shade_detail());
         if (!filled_.empty()) {
             fan.layer = 0;
             const auto [layer, is_new] = layer_for(light, fan);

@@ -46,8 +46,8 @@ std::uint64_t fan_buffer_bytes(std::uint32_t light_count);
 class HazePass {
 public:
     // light_count: of the show; at most so many fans are needed at a time. distances: null: nothing throws
-    // shadows into haze; gate only. Must outlive this. detail: of its tables; those of many lights are plain.
-    // most_kept: see kKeptFans.
+    // shadows into haze; gate only. Must outlive this. detail: of its tables at rest; those of many lights,
+    // and of a moment, are plain. most_kept: see kKeptFans.
     HazePass(const gpu::Device& device, const HazeIntegrator& settings, const Fragments& fragments,
              std::uint32_t batch_size, std::uint32_t light_count, const DistanceImages* distances,
              FanDetail detail, std::uint32_t most_kept = kKeptFans);
@@ -70,7 +70,8 @@ public:
     }
 
 private:
-    bool has_coarse_shade() const;
+    bool is_of_moment() const;
+    ShadeDetail shade_detail() const;
     void record_samples(gpu::Commands& commands, const LightChunk& chunk);
     void record_gate(gpu::Commands& commands, const LightChunk& chunk);
     // False: the grid does not pay for this light, or is off.
