@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Ten moments of the demo and ten of a festival, as they are drawn while all moves and as they are drawn at
-// rest: how near they are, and, with --pictures, both beside each other with what differs, to be looked at.
+// Ten moments of the demo (with light at half the size, and in full) and ten of a festival, as they are drawn
+// while all moves and as they are drawn at rest: how near they are, and, with --pictures, both beside each
+// other with what differs, to be looked at.
 #include "base/interrupt.h"
 #include "bench/bench.h"
 #include "bench/festival.h"
@@ -36,13 +37,22 @@ constexpr ShownMoment kOfDemo[] = {{"house", 8},  {"high", 18}, {"close", 21}, {
 constexpr ShownMoment kOfFestival[] = {{"wide", 2},  {"wide", 5},  {"wide", 8},  {"wide", 11}, {"wide", 14},
                                        {"wide", 17}, {"wide", 20}, {"wide", 23}, {"wide", 26}, {"wide", 29}};
 
-// As the window draws (live/engine/live_picture.h).
-void draw_as(Session& session, bool moves, int most_lights) {
+// How the window draws what moves (live/engine/live_picture.h).
+struct Motion {
+    const char* words; // behind the moment's name
+    int width, height;
+    bool coarse_light;
+    int most_lights; // 0: all
+};
+constexpr Motion kHalfLight{"", 1280, 720, true, 0}, kFullLight{", light in full", 640, 360, false, 0},
+    kManyLights{"", 1280, 720, true, kFestivalLights};
+
+void draw_as(Session& session, bool moves, const Motion& motion) {
     render::HazeQuality quality;
     quality.grid = moves;
-    session.use_coarse_light(moves);
+    session.use_coarse_light(moves && motion.coarse_light);
     session.relighter->set_quality(quality);
-    session.relighter->set_most_lights(moves ? most_lights : 0);
+    session.relighter->set_most_lights(moves ? motion.most_lights : 0);
 }
 
 struct MovingAndResting {
@@ -50,11 +60,11 @@ struct MovingAndResting {
     double db = 0, flip = 0;
 };
 
-Result<MovingAndResting> pair_at(Session& session, double at_s, int most_lights) {
+Result<MovingAndResting> pair_at(Session& session, double at_s, const Motion& motion) {
     TRY(dmx::Recording recording, dmx::open_recording(session.show->recording, {}, true));
     dmx::Player player(std::move(recording));
     const auto last = std::lround(at_s * kMomentFps);
-    draw_as(session, true, most_lights);
+    draw_as(session, true, motion);
     session.relighter->draw_anew();
     for (long frame = 0; frame <= last; ++frame) {
         if (interrupted()) return Error{"interrupted; the rows above are whole", ""};
@@ -65,7 +75,7 @@ Result<MovingAndResting> pair_at(Session& session, double at_s, int most_lights)
     MovingAndResting pair;
     pair.moving = session.relighter->picture();
     image::ImageF moving = session.relighter->frame();
-    draw_as(session, false, 0);
+    draw_as(session, false, motion);
     session.relighter->draw_anew();
     (void)session.draw(static_cast<double>(last) / kMomentFps);
     pair.resting = session.relighter->picture();
@@ -99,7 +109,7 @@ std::string at_text(double at_s) {
 }
 
 Result<void> moments_of(const BenchOptions& options, const std::string& what,
-                        std::span<const ShownMoment> moments, int most_lights, const BenchSink& sink) {
+                        std::span<const ShownMoment> moments, const Motion& motion, const BenchSink& sink) {
     std::unique_ptr<Session> session;
     std::string view;
     for (const ShownMoment& moment : moments) {
@@ -108,8 +118,8 @@ Result<void> moments_of(const BenchOptions& options, const std::string& what,
             opening.show = options.show;
             opening.device = options.device;
             opening.view = view = moment.view;
-            opening.width = 1280;
-            opening.height = 720;
+            opening.width = motion.width;
+            opening.height = motion.height;
             opening.live = true;
             opening.workers = true;
             opening.quiet = true;
@@ -117,8 +127,8 @@ Result<void> moments_of(const BenchOptions& options, const std::string& what,
             session.reset();
             TRY(session, open_session(opening));
         }
-        TRY(const MovingAndResting pair, pair_at(*session, moment.at_s, most_lights));
-        const std::string name = what + "_" + moment.view + "_" + at_text(moment.at_s) + "s";
+        TRY(const MovingAndResting pair, pair_at(*session, moment.at_s, motion));
+        const std::string name = what + "_" + moment.view + "_" + at_text(moment.at_s) + "s" + motion.words;
         if (!options.pictures.empty())
             TRY_VOID(
                 image::write_png(std::filesystem::path(options.pictures) / (name + ".png"), beside(pair)));
@@ -131,11 +141,12 @@ Result<void> moments_of(const BenchOptions& options, const std::string& what,
 
 Result<void> bench_moments(const BenchOptions& options, const BenchSink& sink) {
     catch_interrupts();
-    TRY_VOID(moments_of(options, "demo", kOfDemo, 0, sink));
+    TRY_VOID(moments_of(options, "demo", kOfDemo, kHalfLight, sink));
+    TRY_VOID(moments_of(options, "demo", kOfDemo, kFullLight, sink));
     TRY(const Festival festival, Festival::make(kFestivalFixtures));
     BenchOptions there = options;
     there.show = festival.folder();
-    return moments_of(there, "festival", kOfFestival, kFestivalLights, sink);
+    return moments_of(there, "festival", kOfFestival, kManyLights, sink);
 }
 
 } // namespace ghost::app
