@@ -3685,11 +3685,11 @@ Bitte den Namen des Ordners prüfen.</translation>
     </message>
     <message>
         <source>no mode of its type is chosen: give it one (Mode in the list of fixtures, or mode = in the show file); what follows is of mode &apos;%1&apos;; %2</source>
-        <translation>kein Modus seines Typs ist gewählt: gib ihm einen (Modus in der Geräteliste, oder mode = in der Show-Datei); was folgt, ist von Modus &apos;%1&apos;; %2</translation>
+        <translation>kein Modus seines Typs ist gewählt: gib ihm einen (Modus in der Geräteliste, oder in der Show-Datei); was folgt, ist von Modus &apos;%1&apos;; %2</translation>
     </message>
     <message>
         <source>no mode of its type is chosen: give it one (Mode in the list of fixtures, or mode = in the show file); what follows is of mode &apos;%1&apos;</source>
-        <translation>kein Modus seines Typs ist gewählt: gib ihm einen (Modus in der Geräteliste, oder mode = in der Show-Datei); was folgt, ist von Modus &apos;%1&apos;</translation>
+        <translation>kein Modus seines Typs ist gewählt: gib ihm einen (Modus in der Geräteliste, oder in der Show-Datei); was folgt, ist von Modus &apos;%1&apos;</translation>
     </message>
     <message>
         <source>nobody says a place that can be used: where its beam comes from and what it hits is not known</source>
