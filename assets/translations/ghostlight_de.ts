@@ -799,6 +799,13 @@
         <source>DESK SILENT %1 s</source>
         <translation>PULT STUMM %1 s</translation>
     </message>
+    <message numerus="yes">
+        <source>%n head(s) that nobody asks left dark</source>
+        <translation>
+            <numerusform>%n Gerät, das niemand ansteuert, bleibt dunkel</numerusform>
+            <numerusform>%n Geräte, die niemand ansteuert, bleiben dunkel</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>Colour</name>
@@ -2255,6 +2262,18 @@
             <numerusform>, davon %n stumm</numerusform>
         </translation>
     </message>
+    <message>
+        <source>The camera sees nothing of the stage; Home frames it.</source>
+        <translation>Die Kamera sieht nichts von der Bühne; Pos1 zeigt sie.</translation>
+    </message>
+    <message>
+        <source>The camera is behind &apos;%1&apos; and sees nothing of the stage; Home frames it.</source>
+        <translation>Die Kamera steht hinter &apos;%1&apos; und sieht nichts von der Bühne; Pos1 zeigt sie.</translation>
+    </message>
+    <message>
+        <source>Home</source>
+        <translation>Pos1</translation>
+    </message>
 </context>
 <context>
     <name>Palettes</name>
@@ -3665,12 +3684,12 @@ Bitte den Namen des Ordners prüfen.</translation>
         <translation>%1 von %2 lm, %3, was es trifft, ist nicht bekannt (niemand sagt, wie es gedreht ist)</translation>
     </message>
     <message>
-        <source>nobody names a mode that the type has; what follows is of mode &apos;%1&apos;; %2</source>
-        <translation>niemand nennt einen Modus, den der Typ hat; was folgt, ist von Modus &apos;%1&apos;; %2</translation>
+        <source>no mode of its type is chosen: give it one (Mode in the list of fixtures, or mode = in the show file); what follows is of mode &apos;%1&apos;; %2</source>
+        <translation>kein Modus seines Typs ist gewählt: gib ihm einen (Modus in der Geräteliste, oder in der Show-Datei); was folgt, ist von Modus &apos;%1&apos;; %2</translation>
     </message>
     <message>
-        <source>nobody names a mode that the type has; what follows is of mode &apos;%1&apos;</source>
-        <translation>niemand nennt einen Modus, den der Typ hat; was folgt, ist von Modus &apos;%1&apos;</translation>
+        <source>no mode of its type is chosen: give it one (Mode in the list of fixtures, or mode = in the show file); what follows is of mode &apos;%1&apos;</source>
+        <translation>kein Modus seines Typs ist gewählt: gib ihm einen (Modus in der Geräteliste, oder in der Show-Datei); was folgt, ist von Modus &apos;%1&apos;</translation>
     </message>
     <message>
         <source>nobody says a place that can be used: where its beam comes from and what it hits is not known</source>
@@ -3697,8 +3716,8 @@ Bitte den Namen des Ordners prüfen.</translation>
         <translation>seine Adresse ist nicht lesbar (Break %1): ohne Adresse behalten seine Kanäle ihre Grundwerte</translation>
     </message>
     <message>
-        <source>nobody names a mode that their type has</source>
-        <translation>niemand nennt einen Modus, den ihr Typ hat</translation>
+        <source>no mode of their type is chosen</source>
+        <translation>kein Modus ihres Typs ist gewählt</translation>
     </message>
     <message>
         <source>nobody says where they hang, or how they are turned</source>

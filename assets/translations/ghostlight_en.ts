@@ -58,6 +58,13 @@
             <numerusform>LIVE DESK, %n universes silent</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n head(s) that nobody asks left dark</source>
+        <translation>
+            <numerusform>%n head that nobody asks left dark</numerusform>
+            <numerusform>%n heads that nobody asks left dark</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>Fixtures</name>

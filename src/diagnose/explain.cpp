@@ -360,12 +360,14 @@ Explanation Explainer::explain(std::size_t index, int asked_beam) const {
              "their mode is not in the fixture file",
              {}});
     } else if (!fixture.is_mode_known) {
-        result.findings.push_back({Cause::no_mode,
-                                   direct != nullptr,
-                                   "nobody names a mode that the type has; what follows is of mode '" +
-                                       result.mode + "'" + (direct ? "; " + direct->text : ""),
-                                   "nobody names a mode that their type has",
-                                   {}});
+        result.findings.push_back(
+            {Cause::no_mode,
+             direct != nullptr,
+             "no mode of its type is chosen: give it one (Mode in the list of fixtures, or "
+             "mode = in the show file); what follows is of mode '" +
+                 result.mode + "'" + (direct ? "; " + direct->text : ""),
+             "no mode of their type is chosen",
+             {}});
     }
     if (!result.is_aim_known()) result.findings.push_back(no_place(result));
     for (Reason& finding : causes_in_network(input_, patch, result, state, direct))

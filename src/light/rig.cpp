@@ -287,12 +287,27 @@ Rig::Between Rig::between(std::size_t index) const {
     return result;
 }
 
+bool Rig::is_unasked(std::size_t index) const {
+    if (programmer_.contains(index) || walls_[index] || projectors_[index]) return false;
+    const std::vector<fixture::Channel>& channels = patches_[index].mode_of().channels;
+    return std::any_of(channels.begin(), channels.end(),
+                       [](const fixture::Channel& channel) { return !channel.offsets.empty(); });
+}
+
 std::vector<LensFace> Rig::faces(std::size_t index, const FixturePose& hung, const GoboStack& gobos) {
     const fixture::Type& type = *show_.fixtures[index].type;
     std::vector<LensFace> faces = faces_of(type, states_[index].beams, hung.to_world, gobos, profiles_,
                                            projector_of(index), show_.fixtures[index].shape.get());
     if (walls_[index]) light_wall(index, gobos, faces);
     if (show_.fixtures[index].laser) colour_laser(*show_.fixtures[index].laser, type, states_[index], faces);
+    if (leaves_unasked_dark_ && is_unasked(index)) {
+        bool shone = false;
+        for (LensFace& face : faces) {
+            shone = shone || face.light.intensity_cd != glm::vec3(0);
+            face.light.intensity_cd = face.light.bounce_cd = glm::vec3(0);
+        }
+        left_dark_ += shone ? 1 : 0;
+    }
     const auto programmer = programmer_.find(index);
     if (programmer == programmer_.end()) return faces;
     for (std::size_t k = 0; k < faces.size(); ++k) {
@@ -308,6 +323,7 @@ FrameLights Rig::lit(const GoboStack& gobos, const DistanceMaps& maps, Cells cel
     FrameLights lit;
     std::vector<LensFace> facets;
     profiles_.trim();
+    left_dark_ = 0;
     for (std::size_t i = 0; i < patches_.size(); ++i) {
         const PatchedFixture& fixture = show_.fixtures[i];
         if (!fixture.type) continue;
@@ -337,6 +353,7 @@ FrameLights Rig::lit(const GoboStack& gobos, const Passes& passes) {
     FrameLights lit;
     std::vector<LensFace> facets;
     profiles_.trim();
+    left_dark_ = 0;
     const auto dark_pass = static_cast<std::uint32_t>(passes.lights.size());
     for (std::size_t i = 0; i < patches_.size(); ++i) {
         const PatchedFixture& fixture = show_.fixtures[i];

@@ -41,6 +41,12 @@ public:
     void step(const dmx::Universes& universes, double dt_s,
               const std::map<std::size_t, fixture::Programmer>& programmer = {});
 
+    // Heads whose channels nobody sets, no hand and no desk, give no light, whatever their files have them do
+    // then; their state stays. What walls and projectors show is no such light.
+    void leave_unasked_dark(bool leave) { leaves_unasked_dark_ = leave; }
+    // Fixtures that the last lit() left dark by that.
+    std::size_t left_dark() const { return left_dark_; }
+
     // Fixtures go on from where they were in another rig: motors, wheels that turn, lamps. from: for each
     // fixture here its index there, or nothing. One of another type or mode starts anew.
     void go_on_from(const Rig& before, const std::vector<std::optional<std::size_t>>& from);
@@ -85,6 +91,7 @@ private:
 
     void follow(std::size_t fixture, fixture::Targets& targets) const;
     std::vector<LensFace> faces(std::size_t fixture, const FixturePose& hung, const GoboStack& gobos);
+    bool is_unasked(std::size_t fixture) const;
     void choose_medium(std::size_t fixture, const dmx::Universes& universes);
     std::optional<fixture::LaserCurve> figure_of(std::size_t fixture, const BeamGroup& emitter) const;
     void light_wall(std::size_t fixture, const GoboStack& gobos, std::vector<LensFace>& faces) const;
@@ -106,6 +113,8 @@ private:
     std::vector<std::shared_ptr<const BeamGroups>> emitters_; // one for all fixtures of a type and mode
     std::vector<std::optional<glm::vec3>> aims_;
     std::map<std::size_t, fixture::Programmer> programmer_, asked_; // of the last step
+    bool leaves_unasked_dark_ = false;
+    std::size_t left_dark_ = 0;
     ProfileTable profiles_; // of frames before, too: a light is the same with it and without
 };
 

@@ -181,9 +181,11 @@ struct Picture {
     float ev100 = 0;
     double draw_ms = 0;
     int lights_drawn = 0;
-    bool is_coarse = false;       // drawn with fewer pixels than asked for, because it moves
-    std::size_t missing_maps = 0; // lights that throw no shadows yet
-    FalseColour false_colour;     // what the image shows
+    bool is_coarse = false;          // drawn with fewer pixels than asked for, because it moves
+    std::size_t missing_maps = 0;    // of lights, that are being made
+    std::size_t missing_shadows = 0; // lights that shine and throw none until then
+    std::size_t left_dark = 0; // heads that would shine at home, and nobody asks (Rig::leave_unasked_dark)
+    FalseColour false_colour;  // what the image shows
     bool has_work_light = false;
     bool is_baked = false; // from passes; its size is theirs
     std::string supply;    // in words: which passes, or why it is drawn live
@@ -249,6 +251,13 @@ struct BounceNow {
     bool operator==(const BounceNow&) const = default;
 };
 
+// The camera, at rest, sees nothing of the stage.
+struct UnseenStage {
+    bool is_so = false;
+    std::string body; // that is before all of it; empty: nothing is in the picture
+    bool operator==(const UnseenStage&) const = default;
+};
+
 // What the probe meets.
 struct Probed {
     glm::vec2 place{0}; // as in the request
@@ -302,6 +311,7 @@ struct Link {
     // How much changes in equal parts of the recording: 0 nothing .. 1 most. Comes some time after the show.
     Mailbox<std::vector<float>> activity_of_recording;
     Mailbox<BounceNow> bounce;
+    Mailbox<UnseenStage> unseen_stage;
     Mailbox<Probed> probed;
     Mailbox<Picked> picked;
     Mailbox<Saved> saved;

@@ -60,6 +60,20 @@ Result<void> check_description(Bytes xml, const std::string& where) {
     return {};
 }
 
+// The way to the element that was read last, by names: what can be looked for in the file.
+std::string last_element(const pugi::xml_document& document) {
+    std::string way;
+    pugi::xml_node node = document.document_element();
+    while (node) {
+        way += (way.empty() ? "" : "/") + std::string(node.name());
+        if (const std::string_view name = node.attribute("name").value(); !name.empty())
+            way += " '" + std::string(name) + "'";
+        node = node.last_child();
+        while (node && node.type() != pugi::node_element) node = node.previous_sibling();
+    }
+    return way;
+}
+
 Result<void> read_description(LoadedPlot& loaded, const MvrMembers& members, const MvrLoading& loading) {
     const std::string where = loaded.name + ": " + loaded.description;
     TRY(std::vector<std::uint8_t> xml, loaded.archive.read(loaded.description, kMaxMvrXmlBytes));
@@ -72,7 +86,8 @@ Result<void> read_description(LoadedPlot& loaded, const MvrMembers& members, con
         document.load_buffer_inplace(xml.data(), xml.size(), pugi::parse_default | pugi::parse_doctype,
                                      repaired ? pugi::encoding_utf8 : pugi::encoding_auto);
     if (!parsed)
-        return Error{std::string("the XML is not well formed: ") + parsed.description(),
+        return Error{std::string("the XML is not well formed: ") + parsed.description() + ", in or behind " +
+                         last_element(document) + " of that file inside of the plot, which is a zip",
                      where + ":" + std::to_string(reader.line_at(parsed.offset))};
     pugi::xml_node root = document.child("GeneralSceneDescription");
     if (!root) return Error{"expected the element GeneralSceneDescription", where};

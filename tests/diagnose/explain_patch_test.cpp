@@ -39,7 +39,9 @@ TEST(explain, ModeThatNobodyNames) {
     trial.show.fixtures[0].is_mode_known = false;
     const Explanation dark = trial.set(1, 0).explain();
     expect(dark, Visibility::dark, Cause::no_mode,
-           {"dark because nobody names a mode that the type has; what follows is of mode 'Standard'",
+           {"dark because no mode of its type is chosen: give it one (Mode in the list of fixtures, or mode "
+            "= in "
+            "the show file); what follows is of mode 'Standard'",
             "the dimmer on channel 1"});
     EXPECT_NE(words_of(dark, trial.reception).find("mode not known, read as 'Standard'"), std::string::npos);
     EXPECT_NE(json_of(dark, trial.reception).find("\"mode_known\": false"), std::string::npos);

@@ -47,6 +47,11 @@ TEST(mvr_hostile, no_zip_no_description_no_xml) {
                 "expected GeneralSceneDescription.xml");
     EXPECT_SAYS(error_of(load_description("<GeneralSceneDescription>\n<Scene>\n</Scen>")),
                 "tiny.mvr: GeneralSceneDescription.xml:3: the XML is not well formed");
+    EXPECT_SAYS(
+        error_of(load_description("<GeneralSceneDescription>\n<Scene><Layers><Layer name=\"Rig\">"
+                                  "<Fixture name=\"Spot 3\"></Scene>")),
+        "in or behind GeneralSceneDescription/Scene/Layers/Layer 'Rig'/Fixture 'Spot 3' of that file inside "
+        "of the plot");
     EXPECT_SAYS(error_of(load_description("")), "not well formed");
     EXPECT_SAYS(error_of(load_description("<GDTF/>")), "expected the element GeneralSceneDescription");
     const auto empty = load_description("<GeneralSceneDescription/>");

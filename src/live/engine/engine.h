@@ -89,6 +89,8 @@ private:
     scene::Camera wanted_camera();
     bool is_moving(double now_s) const;
     bool has_work_light() const;
+    bool has_input() const; // a recording, or a desk that was heard
+    bool leaves_unasked_dark() const;
     std::string needs_live() const;
     render::FrameStatistics draw_live(const scene::Camera& wanted, double begin_s);
     render::FrameStatistics draw_baked(const scene::Camera& wanted, double begin_s);
@@ -115,6 +117,7 @@ private:
     void publish_opened(Opening::Kind kind);
     void publish_picture(const render::FrameStatistics& statistics, double draw_ms);
     void publish_rest(double now_s, bool drew);
+    void tell_unseen(double now_s); // once when the camera rests
 
     ui::Link& link_;
     EngineOptions options_;
@@ -157,7 +160,13 @@ private:
         ui::Framed framed;
         scene::FrameLights lights;
         std::vector<glm::mat4> moved; // by movers
+        bool is_black = false;
     } shown_;
+    struct {
+        scene::Camera camera;
+        bool is_black = false, is_known = false;
+        ui::UnseenStage news;
+    } unseen_;                // what was looked for last
     std::string supply_sent_; // words of the picture that was published last
     std::size_t missing_maps_sent_ = 0;
     double last_step_s_ = 0;

@@ -80,7 +80,17 @@ bool Engine::is_moving(double now_s) const {
 bool Engine::has_work_light() const {
     if (request_.false_colour.measure != ui::Measure::none) return false;
     if (request_.work_light != ui::WorkLight::automatic) return request_.work_light == ui::WorkLight::on;
-    return input_->recording_s() == 0 && input_->desk().list.empty();
+    return !has_input();
+}
+
+bool Engine::has_input() const {
+    return input_->recording_s() > 0 || !input_->desk().list.empty();
+}
+
+// Work light is there to see a stage that nobody lights. What heads do by their files alone, as tubes do that
+// are bright until a desk is heard, would outshine it.
+bool Engine::leaves_unasked_dark() const {
+    return has_work_light() && !has_input() && request_.look.solo.empty();
 }
 
 render::FrameStatistics Engine::draw_live(const scene::Camera& wanted, double begin_s) {
@@ -167,6 +177,7 @@ void Engine::frame() {
         session_->media_s = desk_.timecode() ? desk_.timecode()->at_s(kLongestFilm_s) : std::nullopt;
     session_->rig->movers().drive(request_.look.movers);
     session_->rig->set_time(session_->media_s);
+    session_->rig->leave_unasked_dark(leaves_unasked_dark());
     session_->rig->step(input_->universes(), dt_s, request_.look.fixtures);
     scene::Camera wanted = scene::riding(wanted_camera(), *session_->rig);
     if (trackers) wanted = follow(wanted, *session_->show, *trackers); // trackers do not ride
@@ -253,6 +264,7 @@ void Engine::frame() {
         link_.on_news();
     }
     publish_rest(begin_s, drew);
+    if (!statistics.stopped) tell_unseen(begin_s);
     draw_beside(begin_s);
 }
 

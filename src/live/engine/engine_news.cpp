@@ -3,9 +3,25 @@
 // read it.
 #include "live/engine/engine.h"
 
+#include "beam_groups/light_places.h"
+#include "live/lux/unseen_stage.h"
+
+#include <algorithm>
 #include <utility>
+#include <vector>
 
 namespace ghost::app {
+namespace {
+
+// Of those that shine.
+std::size_t without_shadow(const std::vector<shared::Light>& lights) {
+    return static_cast<std::size_t>(
+        std::count_if(lights.begin(), lights.end(), [](const shared::Light& light) {
+            return light.map == 0 && light.intensity_cd != glm::vec3(0);
+        }));
+}
+
+} // namespace
 
 void Engine::publish_opened(Opening::Kind kind) {
     ui::Opened news = opened_from(*session_);
@@ -29,6 +45,35 @@ void Engine::publish_rest(double now_s, bool drew) {
     link_.on_news();
 }
 
+void Engine::tell_unseen(double now_s) {
+    const auto is_same = [](const scene::Camera& a, const scene::Camera& b) {
+        return a.position_m == b.position_m && a.target_m == b.target_m && a.fov_y_deg == b.fov_y_deg;
+    };
+    const bool is_as_before =
+        unseen_.is_known && is_same(unseen_.camera, shown_.camera) && unseen_.is_black == shown_.is_black;
+    const bool rests = !is_moving(now_s);
+    if (is_as_before || (!rests && !unseen_.is_known)) return;
+    ui::UnseenStage news;
+    unseen_.is_known = rests;
+    unseen_.camera = shown_.camera;
+    unseen_.is_black = shown_.is_black;
+    const bool is_asked_dark = session_->master == 0 || request_.false_colour.measure != ui::Measure::none;
+    if (rests && !is_asked_dark && !shown_.is_baked) {
+        std::vector<glm::vec3> heads_m;
+        for (std::size_t i = 0; i < session_->show->fixtures.size(); ++i)
+            heads_m.push_back(session_->rig->moved(i) *
+                              glm::vec4(scene::light_position_m(session_->show->fixtures[i], 0), 1.0f));
+        const bake::DenormalsOff mode;
+        if (auto body = unseen_stage(shown_.camera, heads_m, probe_.tracer(*session_), shown_.is_black,
+                                     live_.has_work_light()))
+            news = {true, std::move(*body)};
+    }
+    if (news == unseen_.news) return;
+    unseen_.news = news;
+    link_.unseen_stage.put(std::move(news));
+    link_.on_news();
+}
+
 void Engine::publish_picture(const render::FrameStatistics& statistics, double draw_ms) {
     ui::Picture picture;
     if (request_.false_colour.measure == ui::Measure::none) {
@@ -39,6 +84,7 @@ void Engine::publish_picture(const render::FrameStatistics& statistics, double d
     } else {
         picture.image = probe_.false_colours(request_.false_colour, shown());
     }
+    shown_.is_black = picture.image && is_black(*picture.image);
     picture.false_colour = false_colour_ = request_.false_colour;
     picture.camera = shown_.camera;
     picture.framed = shown_.framed;
@@ -49,6 +95,9 @@ void Engine::publish_picture(const render::FrameStatistics& statistics, double d
     picture.supply = supply_sent_ = baked_.words();
     picture.is_coarse = !shown_.is_baked && request_.quality.percent == 0 && !live_.is_whole(shown_.camera);
     picture.missing_maps = missing_maps_sent_ = session_->live->missing_maps();
+    if (picture.missing_maps > 0 && session_->shadows)
+        picture.missing_shadows = without_shadow(shown_.lights.lights);
+    picture.left_dark = session_->rig->left_dark();
     picture.has_work_light = !shown_.is_baked && live_.has_work_light();
     picture.arrival = std::exchange(arrival_, std::chrono::nanoseconds{0});
     link_.picture.put(std::move(picture), [](const ui::Picture& unread, ui::Picture& next) {

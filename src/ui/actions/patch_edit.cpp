@@ -398,6 +398,9 @@ Result<void> PatchEdit::add(const fs::path& file, const glm::vec3& position_m) {
     made.keys.address =
         address_for_new(fixture::footprint_of(loaded.type, 0)).value_or(fixture::Address{1, 0});
     made.keys.position_m = position_m;
+    // One that is not said is a guess, which is told of every time.
+    if (loaded.type.modes.size() > 1 && !loaded.type.modes.front().name.empty())
+        made.keys.mode = loaded.type.modes.front().name;
     TRY(std::string text, scene::add_fixture(document_.text(), made));
     const auto of_file = static_cast<std::size_t>(
         std::count_if(fixtures().begin(), fixtures().end(),

@@ -46,8 +46,12 @@ constexpr const char* kSentences[] = {
                                   "'%4', whose channels mean other things; %5"),
     QT_TRANSLATE_NOOP("Sentence", "its mode is not in the file: '%1' has no mode '%2' (modes: %3); it gets "
                                   "'%4', whose channels mean other things"),
-    QT_TRANSLATE_NOOP("Sentence", "nobody names a mode that the type has; what follows is of mode '%1'; %2"),
-    QT_TRANSLATE_NOOP("Sentence", "nobody names a mode that the type has; what follows is of mode '%1'"),
+    QT_TRANSLATE_NOOP("Sentence",
+                      "no mode of its type is chosen: give it one (Mode in the list of fixtures, or "
+                      "mode = in the show file); what follows is of mode '%1'; %2"),
+    QT_TRANSLATE_NOOP("Sentence",
+                      "no mode of its type is chosen: give it one (Mode in the list of fixtures, or "
+                      "mode = in the show file); what follows is of mode '%1'"),
     QT_TRANSLATE_NOOP("Sentence", "nobody says a place that can be used: where its beam comes from and what "
                                   "it hits is not known"),
     QT_TRANSLATE_NOOP("Sentence",
@@ -170,7 +174,7 @@ constexpr const char* kSentences[] = {
     QT_TRANSLATE_NOOP("Sentence", "their file has no Beam geometry"),
     QT_TRANSLATE_NOOP("Sentence", "they are faint next to the brightest fixture"),
     QT_TRANSLATE_NOOP("Sentence", "their mode is not in the fixture file"),
-    QT_TRANSLATE_NOOP("Sentence", "nobody names a mode that their type has"),
+    QT_TRANSLATE_NOOP("Sentence", "no mode of their type is chosen"),
     QT_TRANSLATE_NOOP("Sentence", "nobody says where they hang, or how they are turned"),
     QT_TRANSLATE_NOOP("Sentence", "their address cannot be read"),
     QT_TRANSLATE_NOOP("Sentence", "their dimmer is at 0"),

@@ -117,6 +117,10 @@ void AppModel::read_news() {
         bounce_ = *news;
         Q_EMIT bounce_came();
     }
+    if (auto news = link_.unseen_stage.take()) {
+        unseen_stage_ = std::move(*news);
+        Q_EMIT unseen_stage_came();
+    }
     if (auto news = link_.rdm.take()) {
         rdm_ = std::move(*news);
         Q_EMIT rdm_came();

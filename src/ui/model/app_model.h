@@ -47,6 +47,7 @@ public:
     const std::vector<Message>& messages() const { return messages_; }
     const std::string& activity() const { return activity_; }
     const BounceNow& bounce() const { return bounce_; }
+    const UnseenStage& unseen_stage() const { return unseen_stage_; }
     const RdmNow& rdm() const { return rdm_; }
     const std::vector<float>& waveform() const { return waveform_; } // of the recording; empty: not known
     const std::optional<Probed>& probed() const { return probed_; }  // of the place that is asked for
@@ -157,6 +158,7 @@ Q_SIGNALS:
     void messages_came();
     void activity_came();
     void bounce_came();
+    void unseen_stage_came();
     void rdm_came();
     void rdm_edit_asked(const RdmEdit& asked); // by a desk
     void probe_came();
@@ -204,6 +206,7 @@ private:
     std::vector<Message> messages_;
     std::string activity_;
     BounceNow bounce_;
+    UnseenStage unseen_stage_;
     RdmNow rdm_;
     ReceivedPlot plot_;
     std::vector<NamedPicture> camera_pictures_;

@@ -116,48 +116,13 @@ QString group_of_role(Role role) {
     }
 }
 
-// What desks call it; else the attribute with its words apart: "Gobo1PosRotate" -> "Gobo 1 Pos Rotate".
-QString words_of(const std::string& attribute) {
-    static const std::pair<QRegularExpression, const char*> kWords[] = {
-        {QRegularExpression("^Shutter(\\d+)(Strobe.*)?$"), QT_TRANSLATE_NOOP("Parameter", "Shutter")},
-        {QRegularExpression("^Gobo(\\d+)$"), QT_TRANSLATE_NOOP("Parameter", "Gobo wheel \\1")},
-        {QRegularExpression("^Gobo(\\d+)Pos(Rotate)?$"), QT_TRANSLATE_NOOP("Parameter", "Gobo \\1 turn")},
-        {QRegularExpression("^Prism(\\d+)$"), QT_TRANSLATE_NOOP("Parameter", "Prism \\1")},
-        {QRegularExpression("^Prism(\\d+)Pos(Rotate)?$"), QT_TRANSLATE_NOOP("Parameter", "Prism \\1 turn")},
-        {QRegularExpression("^Color(\\d+)$"), QT_TRANSLATE_NOOP("Parameter", "Colour wheel \\1")},
-        {QRegularExpression("^ColorSub_C$"), QT_TRANSLATE_NOOP("Parameter", "Cyan")},
-        {QRegularExpression("^ColorSub_M$"), QT_TRANSLATE_NOOP("Parameter", "Magenta")},
-        {QRegularExpression("^ColorSub_Y$"), QT_TRANSLATE_NOOP("Parameter", "Yellow")},
-        {QRegularExpression("^Color(Add|RGB)_R(ed)?$"), QT_TRANSLATE_NOOP("Parameter", "Red")},
-        {QRegularExpression("^Color(Add|RGB)_G(reen)?$"), QT_TRANSLATE_NOOP("Parameter", "Green")},
-        {QRegularExpression("^Color(Add|RGB)_B(lue)?$"), QT_TRANSLATE_NOOP("Parameter", "Blue")},
-        {QRegularExpression("^ColorAdd_W$"), QT_TRANSLATE_NOOP("Parameter", "White")},
-        {QRegularExpression("^ColorAdd_WW$"), QT_TRANSLATE_NOOP("Parameter", "Warm white")},
-        {QRegularExpression("^ColorAdd_CW$"), QT_TRANSLATE_NOOP("Parameter", "Cold white")},
-        {QRegularExpression("^ColorAdd_RY$"), QT_TRANSLATE_NOOP("Parameter", "Amber")},
-        {QRegularExpression("^ColorAdd_GY$"), QT_TRANSLATE_NOOP("Parameter", "Lime")},
-        {QRegularExpression("^ColorAdd_UV$"), QT_TRANSLATE_NOOP("Parameter", "UV")},
-        {QRegularExpression("^CTO$"), QT_TRANSLATE_NOOP("Parameter", "CTO")},
-        {QRegularExpression("^CT[CB]$"), QT_TRANSLATE_NOOP("Parameter", "White (CCT)")},
-        {QRegularExpression("^Frost(\\d+)$"), QT_TRANSLATE_NOOP("Parameter", "Frost \\1")},
-        {QRegularExpression("^Focus(\\d+)$"), QT_TRANSLATE_NOOP("Parameter", "Focus")},
-        {QRegularExpression("^AnimationWheel(\\d+)$"), QT_TRANSLATE_NOOP("Parameter", "Animation wheel")},
-    };
-    const QString name = QString::fromStdString(attribute);
-    for (const auto& [pattern, words] : kWords)
-        if (pattern.match(name).hasMatch())
-            return QString(name).replace(pattern, translated("Parameter", words));
-    static const QRegularExpression kParts("([a-z])([A-Z0-9])|([0-9])([A-Z])");
-    return QString(name).replace(kParts, "\\1\\3 \\2\\4").replace('_', ' ').replace("Color", "Colour");
-}
-
 float share_of(const Channel& channel, std::uint32_t raw) {
     return static_cast<float>(static_cast<double>(raw) / std::max(static_cast<double>(channel.max), 1.0));
 }
 
 // Small machine names say less than the attribute.
 QString name_of(const ChannelFunction& function) {
-    return words_of(function.attribute.empty() ? function.name : function.attribute);
+    return attribute_words(function.attribute.empty() ? function.name : function.attribute);
 }
 
 std::vector<ParameterRange> ranges_of(const Channel& channel) {
@@ -230,6 +195,41 @@ QString meaning_of(const Channel& channel, std::uint32_t raw) {
 
 } // namespace
 
+// What desks call it; else the attribute with its words apart: "Gobo1PosRotate" -> "Gobo 1 Pos Rotate".
+QString attribute_words(const std::string& attribute) {
+    static const std::pair<QRegularExpression, const char*> kWords[] = {
+        {QRegularExpression("^Shutter(\\d+)(Strobe.*)?$"), QT_TRANSLATE_NOOP("Parameter", "Shutter")},
+        {QRegularExpression("^Gobo(\\d+)$"), QT_TRANSLATE_NOOP("Parameter", "Gobo wheel \\1")},
+        {QRegularExpression("^Gobo(\\d+)Pos(Rotate)?$"), QT_TRANSLATE_NOOP("Parameter", "Gobo \\1 turn")},
+        {QRegularExpression("^Prism(\\d+)$"), QT_TRANSLATE_NOOP("Parameter", "Prism \\1")},
+        {QRegularExpression("^Prism(\\d+)Pos(Rotate)?$"), QT_TRANSLATE_NOOP("Parameter", "Prism \\1 turn")},
+        {QRegularExpression("^Color(\\d+)$"), QT_TRANSLATE_NOOP("Parameter", "Colour wheel \\1")},
+        {QRegularExpression("^ColorSub_C$"), QT_TRANSLATE_NOOP("Parameter", "Cyan")},
+        {QRegularExpression("^ColorSub_M$"), QT_TRANSLATE_NOOP("Parameter", "Magenta")},
+        {QRegularExpression("^ColorSub_Y$"), QT_TRANSLATE_NOOP("Parameter", "Yellow")},
+        {QRegularExpression("^Color(Add|RGB)_R(ed)?$"), QT_TRANSLATE_NOOP("Parameter", "Red")},
+        {QRegularExpression("^Color(Add|RGB)_G(reen)?$"), QT_TRANSLATE_NOOP("Parameter", "Green")},
+        {QRegularExpression("^Color(Add|RGB)_B(lue)?$"), QT_TRANSLATE_NOOP("Parameter", "Blue")},
+        {QRegularExpression("^ColorAdd_W$"), QT_TRANSLATE_NOOP("Parameter", "White")},
+        {QRegularExpression("^ColorAdd_WW$"), QT_TRANSLATE_NOOP("Parameter", "Warm white")},
+        {QRegularExpression("^ColorAdd_CW$"), QT_TRANSLATE_NOOP("Parameter", "Cold white")},
+        {QRegularExpression("^ColorAdd_RY$"), QT_TRANSLATE_NOOP("Parameter", "Amber")},
+        {QRegularExpression("^ColorAdd_GY$"), QT_TRANSLATE_NOOP("Parameter", "Lime")},
+        {QRegularExpression("^ColorAdd_UV$"), QT_TRANSLATE_NOOP("Parameter", "UV")},
+        {QRegularExpression("^CTO$"), QT_TRANSLATE_NOOP("Parameter", "CTO")},
+        {QRegularExpression("^CT[CB]$"), QT_TRANSLATE_NOOP("Parameter", "White (CCT)")},
+        {QRegularExpression("^Frost(\\d+)$"), QT_TRANSLATE_NOOP("Parameter", "Frost \\1")},
+        {QRegularExpression("^Focus(\\d+)$"), QT_TRANSLATE_NOOP("Parameter", "Focus")},
+        {QRegularExpression("^AnimationWheel(\\d+)$"), QT_TRANSLATE_NOOP("Parameter", "Animation wheel")},
+    };
+    const QString name = QString::fromStdString(attribute);
+    for (const auto& [pattern, words] : kWords)
+        if (pattern.match(name).hasMatch())
+            return QString(name).replace(pattern, translated("Parameter", words));
+    static const QRegularExpression kParts("([a-z])([A-Z0-9])|([0-9])([A-Z])");
+    return QString(name).replace(kParts, "\\1\\3 \\2\\4").replace('_', ' ').replace("Color", "Colour");
+}
+
 int gobo_wheel_of(const scene::PatchedFixture& fixture) {
     if (!fixture.type) return -1;
     for (const fixture::Optics& optics : fixture::decode(fixture.patch(), {}).beams)
@@ -264,8 +264,8 @@ std::vector<HeadParameter> parameters_of(const scene::Show& show, const std::set
             const std::string attribute = attribute_of(channel);
             const Role role = role_of(channel);
             if (channel.offsets.empty() || has_own_row(role) || !known.insert(attribute).second) continue;
-            parameters.push_back({attribute, group_of_role(role), words_of(attribute), ranges_of(channel),
-                                  show.fixtures[index].type});
+            parameters.push_back({attribute, group_of_role(role), attribute_words(attribute),
+                                  ranges_of(channel), show.fixtures[index].type});
         }
     }
     std::stable_sort(parameters.begin(), parameters.end(), [](const auto& a, const auto& b) {

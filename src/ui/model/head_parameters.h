@@ -57,6 +57,9 @@ std::vector<std::optional<ParameterValue>> values_of(const scene::PatchedFixture
 // Type::wheels: the one whose slots fixture::gobo_names() lists; -1: there is none.
 int gobo_wheel_of(const scene::PatchedFixture& fixture);
 
+// What people call an attribute: "ColorSub_C" is cyan.
+QString attribute_words(const std::string& attribute);
+
 // What a channel is called by, what the first of its functions that a picture shows does, and its group.
 std::string attribute_of(const fixture::Channel& channel);
 fixture::Role role_of(const fixture::Channel& channel);

@@ -78,7 +78,7 @@ QString words_of(const scene::PaletteValues& values) {
     if (values.colour) words << translated("Parameter", "a colour");
     if (values.gobo) words << translated("Parameter", "gobo %1").arg(*values.gobo);
     for (const auto& [attribute, share] : values.attributes)
-        words << QString("%1 %2 %").arg(QString::fromStdString(attribute)).arg(std::lround(100 * share));
+        words << QString("%1 %2 %").arg(attribute_words(attribute)).arg(std::lround(100 * share));
     return words.join(", ");
 }
 

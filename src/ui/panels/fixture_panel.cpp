@@ -137,6 +137,17 @@ FixturePanel::FixturePanel(AppModel& app, ShowDocument& document, QWidget* paren
     layout->addLayout(choice);
     layout->addWidget(table_);
     connect(&app_, &AppModel::opened_show, this, &FixturePanel::list_groups);
+    // Rows of another show are sorted by what its heads do, which comes after it. Later changes move no row:
+    // levels change all the time.
+    connect(list_, &FixtureList::modelReset, this, [this] { since_reset_.start(); });
+    connect(&app_, &AppModel::rig_came, this, [this] {
+        if (!app_.show() || app_.rig().fixtures.size() != app_.show()->fixtures.size()) return;
+        constexpr int kLampsCome_ms = 2000;
+        if (!since_reset_.isValid() || sorted_->sortColumn() != FixtureList::level) return;
+        if (since_reset_.elapsed() > kLampsCome_ms) since_reset_.invalidate();
+        const Following following(follows_);
+        sorted_->invalidate();
+    });
     connect(&app_, &AppModel::verdicts_came, this, [this] {
         if (dark_->isChecked()) list_groups();
     });

@@ -9,6 +9,7 @@
 #include "ui/model/fixture_list.h"
 
 #include <QComboBox>
+#include <QElapsedTimer>
 #include <QLabel>
 #include <QLineEdit>
 #include <QTableView>
@@ -45,7 +46,8 @@ private:
     QTableView* table_;
     FixtureList* list_;
     FixtureFilter* sorted_;
-    bool follows_ = false; // the table is being changed by the model
+    QElapsedTimer since_reset_; // of the rows, until lamps are as the show has them
+    bool follows_ = false;      // the table is being changed by the model
 };
 
 } // namespace ghost::ui

@@ -23,6 +23,20 @@ constexpr double kSame = 0.05; // numbers of a row that are as good as one
 constexpr int kParametersEvery_ms = 250;
 constexpr int kGobo_px = 24; // its picture in the list
 
+// For head_values.
+std::string word_of(fixture::Role role) {
+    switch (role) {
+    case fixture::Role::zoom:
+        return "zoom";
+    case fixture::Role::pan:
+        return "pan";
+    case fixture::Role::tilt:
+        return "tilt";
+    default:
+        return "intensity";
+    }
+}
+
 ValueRange range_of(const fixture::AxisRange& reach) {
     return {static_cast<double>(reach.low), static_cast<double>(reach.high), 1, translated("Value", " deg")};
 }
@@ -140,6 +154,10 @@ ValueRow* ProgrammerPanel::add_row(const QString& name, const ValueRange& range,
         }
         app_.set_look(std::move(look), name.toLower(), kind);
     };
+    row->on_mixed_drag = [this, name, kind, role, per_unit](double from, double to, bool begins) {
+        move_each(name.toLower(), word_of(role), kind, static_cast<float>((to - from) * per_unit), begins);
+    };
+    row->on_refresh = [this] { refresh(); };
     row->on_release = [this, name, role, value] {
         Look look = app_.look();
         for (const std::size_t index : app_.selection()) {
@@ -150,6 +168,25 @@ ValueRow* ProgrammerPanel::add_row(const QString& name, const ValueRange& range,
     };
     rows_.push_back({row, role, value, now, per_unit});
     return row;
+}
+
+void ProgrammerPanel::move_each(const QString& name, const std::string& word, int kind, float by,
+                                bool begins) {
+    if (!app_.show()) return;
+    if (begins) {
+        before_.clear();
+        const HeadReader reader(*app_.show(), app_.look(), app_.rig());
+        for (const std::size_t index : app_.selection())
+            if (const std::optional<HeadValue> value = reader.value(index, word))
+                before_.insert_or_assign(index, *value);
+    }
+    Look look = app_.look();
+    for (const auto& [index, value] : before_) {
+        const float* const number = std::get_if<float>(&value);
+        if (number && app_.selection().contains(index))
+            set_value(app_.show()->fixtures[index], word, *number + by, look.fixtures[index]);
+    }
+    app_.set_look(std::move(look), name, kind);
 }
 
 fixture::Programmer ProgrammerPanel::programmer_of(std::size_t fixture) const {
@@ -246,6 +283,13 @@ void ProgrammerPanel::make_parameters() {
             app_.set_look(std::move(look), name.toLower(),
                           static_cast<int>(ProgrammerStep::first_parameter) + static_cast<int>(i));
         };
+        row->on_mixed_drag = [this, i, name = parameter.name,
+                              attribute = parameter.attribute](float from, float to, bool begins) {
+            move_each(name.toLower(), attribute,
+                      static_cast<int>(ProgrammerStep::first_parameter) + static_cast<int>(i), to - from,
+                      begins);
+        };
+        row->on_refresh = [this] { refresh_parameters(); };
         row->on_release = [this, set, name = parameter.name] {
             Look look = app_.look();
             set(look, std::nullopt);

@@ -6,6 +6,7 @@
 
 #include "ui/model/app_model.h"
 #include "ui/model/head_parameters.h"
+#include "ui/model/head_values.h"
 #include "ui/panel_parts/fan_box.h"
 #include "ui/panel_parts/palette_box.h"
 #include "ui/widgets/colour_row.h"
@@ -19,6 +20,9 @@
 #include <QTimer>
 #include <QVBoxLayout>
 #include <QWidget>
+
+#include <map>
+#include <string>
 
 namespace ghost::ui {
 
@@ -40,6 +44,9 @@ private:
                       std::optional<float> fixture::Programmer::*value, float FixtureNow::*now,
                       double per_unit);
     bool is_by_hand(const Row& row, std::size_t fixture) const;
+    // Each of the selected heads' own value of this word, from what it had when a hand began, by so much;
+    // ends hold it back and give it free again.
+    void move_each(const QString& name, const std::string& word, int kind, float by, bool begins);
     void refresh();
     void refresh_parameters();
     void set_reach(ValueRow& row, fixture::Role role, const fixture::AxisRange& otherwise);
@@ -48,6 +55,7 @@ private:
     fixture::Programmer programmer_of(std::size_t fixture) const;
 
     AppModel& app_;
+    std::map<std::size_t, HeadValue> before_; // of move_each
     QLabel* title_;
     QVBoxLayout* column_;
     std::vector<Row> rows_;

@@ -3,6 +3,7 @@
 
 #include "show/show.h"
 #include "ui/language/language.h"
+#include "ui/model/head_parameters.h"
 #include "ui/widgets/theme.h"
 
 #include <QHeaderView>
@@ -42,9 +43,9 @@ double share_of(const scene::ChannelFacts& channel) {
     return std::clamp(static_cast<double>(channel.reading.raw) / most, 0.0, 1.0);
 }
 
-// The attribute without the geometry that every row would repeat.
+// In the words of the other panels, without the geometry that every row would repeat.
 QString attribute_of(const scene::ChannelFacts& channel) {
-    return QString::fromStdString(channel.attribute.empty() ? channel.name : channel.attribute);
+    return attribute_words(channel.attribute.empty() ? channel.name : channel.attribute);
 }
 
 // As the list of fixtures has it: "1.023".

@@ -71,9 +71,12 @@ std::vector<Chip> chips_of(const AppModel& app) {
             {translated("Chips", "MASTER %1 %").arg(std::lround(100 * request.master)), accent()});
     if (!app.look().is_empty())
         chips.push_back({translated("Chips", "by hand: %1").arg(words_of(app.look())), accent()});
-    if (picture.missing_maps > 0)
+    if (picture.left_dark > 0)
         chips.push_back(
-            {translated("Chips", "%n light(s) throw no shadows yet", nullptr, picture.missing_maps), {}});
+            {translated("Chips", "%n head(s) that nobody asks left dark", nullptr, picture.left_dark), {}});
+    if (picture.missing_shadows > 0)
+        chips.push_back(
+            {translated("Chips", "%n light(s) throw no shadows yet", nullptr, picture.missing_shadows), {}});
     if (!app.is_opening() && !app.activity().empty())
         chips.push_back({shortened(said(app.activity()), kMostLetters), {}});
     if (app.bounce().state == BounceNow::State::makes_links)

@@ -59,12 +59,14 @@ QStringList words_about(const scene::PatchedFixture& fixture, const FixtureNow& 
     return lines;
 }
 
-void paint_ring(QPainter& painter, const QPointF& lamp, const QColor& colour) {
+// small: of many.
+void paint_ring(QPainter& painter, const QPointF& lamp, const QColor& colour, bool small = false) {
+    const double radius_px = small ? 4 : 10;
     painter.setBrush(Qt::NoBrush);
-    painter.setPen(QPen(QColor(0, 0, 0, 160), 4));
-    painter.drawEllipse(lamp, 10, 10);
-    painter.setPen(QPen(colour, 2));
-    painter.drawEllipse(lamp, 10, 10);
+    painter.setPen(QPen(QColor(0, 0, 0, 160), small ? 2.5 : 4));
+    painter.drawEllipse(lamp, radius_px, radius_px);
+    painter.setPen(QPen(colour, small ? 1.2 : 2));
+    painter.drawEllipse(lamp, radius_px, radius_px);
 }
 
 // Of a head that has no fixture file, so that it is seen where it hangs.
@@ -186,7 +188,8 @@ void paint_fixtures(QPainter& painter, const SeenHeads& heads, const scene::Show
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setFont(small_font(painter));
     const std::size_t count = std::min(rig.fixtures.size(), show.fixtures.size());
-    const bool names_selection = choice.marks && selection.size() <= kMostNamed;
+    const bool many = selection.size() > kMostNamed;
+    const bool names_selection = choice.marks && !many;
     std::vector<Marked> marked;
     for (std::size_t i = 0; i < count; ++i) {
         const FixtureNow& now = rig.fixtures[i];
@@ -196,15 +199,16 @@ void paint_fixtures(QPainter& painter, const SeenHeads& heads, const scene::Show
         if (choice.aims || (selected && names_selection)) paint_aim(painter, picture, camera, now, selected);
         if (!show.fixtures[i].type) paint_bodiless(painter, *lamp);
         if (selected && choice.marks)
-            paint_ring(painter, *lamp, accent());
+            paint_ring(painter, *lamp, accent(), many);
         else if (hovered.fixture == i)
             paint_ring(painter, *lamp, QColor(225, 225, 225));
         QStringList lines;
         if (hovered.fixture == i)
             lines = words_about(show.fixtures[i], now, hovered.why);
-        else if (choice.names || (selected && names_selection))
+        else if ((choice.names && !(selected && many)) || (selected && names_selection))
             lines << QString::fromStdString(show.fixtures[i].name);
-        if (choice.addresses && hovered.fixture != i) lines << address_of(show.fixtures[i]);
+        if (choice.addresses && hovered.fixture != i && !(selected && many))
+            lines << address_of(show.fixtures[i]);
         if (lines.isEmpty()) continue;
         const int rank = hovered.fixture == i ? 0 : selected ? 1 : 2;
         marked.push_back({rank, glm::distance(now.light_m, camera.position_m), *lamp, lines,

@@ -52,7 +52,16 @@ ParameterRow::ParameterRow(const HeadParameter& parameter, SlotPictures& picture
     layout->addWidget(meaning_);
     layout->addWidget(release_);
     connect(slider_, &QSlider::valueChanged, this, [this](int at) {
-        if (!follows_ && on_change) on_change(static_cast<float>(at) / kParameterSteps);
+        if (follows_) return;
+        const float to = static_cast<float>(at) / kParameterSteps;
+        if (drag_.is_mixed() && on_mixed_drag)
+            on_mixed_drag(static_cast<float>(drag_.from()), to, drag_.begins(slider_->isSliderDown()));
+        else if (on_change)
+            on_change(to);
+    });
+    connect(slider_, &QSlider::sliderReleased, this, [this] {
+        drag_.end();
+        if (drag_.is_mixed() && on_refresh) on_refresh();
     });
     connect(release_, &QToolButton::clicked, this, [this] {
         if (on_release) on_release();
@@ -65,6 +74,7 @@ void ParameterRow::show_value(const ParameterValue& value, bool mixed) {
         if (!slider_->isSliderDown())
             slider_->setValue(
                 static_cast<int>(std::lround(kParameterSteps * static_cast<double>(value.share))));
+        drag_.show(mixed, static_cast<double>(value.share), slider_->isSliderDown());
     }
     const QString words = mixed ? translated("Value", "mixed") : value.words;
     meaning_->setText(meaning_->fontMetrics().elidedText(words, Qt::ElideRight, meaning_->width() - 22));

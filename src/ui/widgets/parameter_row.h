@@ -6,6 +6,7 @@
 
 #include "ui/model/head_parameters.h"
 #include "ui/widgets/slot_picture.h"
+#include "ui/widgets/value_row.h"
 
 #include <QLabel>
 #include <QSlider>
@@ -23,6 +24,9 @@ public:
     // Does not call back.
     void show_value(const ParameterValue& value, bool mixed);
     std::function<void(float share)> on_change; // a person moved it
+    // Where heads differ, see ValueRow::on_mixed_drag.
+    std::function<void(float from, float to, bool begins)> on_mixed_drag;
+    std::function<void()> on_refresh;
     std::function<void()> on_release;
 
 private:
@@ -31,6 +35,7 @@ private:
     QToolButton* meaning_;
     QToolButton* release_;
     bool follows_ = false; // it is being set, not moved
+    MixedDrag drag_;
 };
 
 } // namespace ghost::ui

@@ -91,7 +91,15 @@ ValueRow::ValueRow(const QString& name, const ValueRange& range, QWidget* parent
     layout->addWidget(field_);
     layout->addWidget(release_);
     connect(slider_, &QSlider::valueChanged, this, [this](int at) {
-        if (!follows_ && on_change) on_change(from_slider(at));
+        if (follows_) return;
+        if (drag_.is_mixed() && on_mixed_drag)
+            on_mixed_drag(drag_.from(), from_slider(at), drag_.begins(slider_->isSliderDown()));
+        else if (on_change)
+            on_change(from_slider(at));
+    });
+    connect(slider_, &QSlider::sliderReleased, this, [this] {
+        drag_.end();
+        if (drag_.is_mixed() && on_refresh) on_refresh();
     });
     connect(field_, &QDoubleSpinBox::valueChanged, this, [this](double value) {
         if (!follows_ && on_change) on_change(value);
@@ -137,6 +145,7 @@ void ValueRow::show_value(double value, bool by_hand, bool mixed) {
     {
         const Following following(follows_);
         if (!slider_->isSliderDown()) slider_->setValue(to_slider(value));
+        drag_.show(mixed, value, slider_->isSliderDown());
         if (!field_->is_being_typed()) {
             field_->set_mixed(mixed);
             field_->setValue(value);

@@ -12,6 +12,7 @@
 #include <QWidget>
 
 #include <functional>
+#include <utility>
 
 namespace ghost::ui {
 
@@ -49,6 +50,27 @@ private:
     bool is_typed_over_ = false; // and not finished
 };
 
+// What a slider does that stands for several values: a hand that takes it begins, and goes on until it lets
+// go. Keys and clicks beside the handle are a beginning each.
+class MixedDrag {
+public:
+    void show(bool mixed, double place, bool is_held) {
+        if (is_held) return; // what it was when it was taken
+        mixed_ = mixed;
+        from_ = place;
+        goes_on_ = false;
+    }
+    bool is_mixed() const { return mixed_; }
+    double from() const { return from_; }
+    // True: the first move of it.
+    bool begins(bool is_held) { return !std::exchange(goes_on_, is_held); }
+    void end() { goes_on_ = false; }
+
+private:
+    bool mixed_ = false, goes_on_ = false;
+    double from_ = 0;
+};
+
 class ValueRow : public QWidget {
     Q_OBJECT
 public:
@@ -64,6 +86,10 @@ public:
     std::function<void(double)> on_change; // a person moved it
     // Mixed, each of its own value by so much; for who shows what is mixed.
     std::function<void(double by)> on_mixed_step;
+    // The slider where values are mixed: each from what it had when the hand took the slider (from) to `to`.
+    // What was at an end comes back with it. begins: that is now.
+    std::function<void(double from, double to, bool begins)> on_mixed_drag;
+    std::function<void()> on_refresh; // show_value is wanted: the slider was let go
     std::function<void()> on_release; // none: there is nothing to give it back to
 
 private:
@@ -76,6 +102,7 @@ private:
     MixedSpinBox* field_;
     QToolButton* release_;
     bool follows_ = false; // it is being set, not moved
+    MixedDrag drag_;
 };
 
 } // namespace ghost::ui

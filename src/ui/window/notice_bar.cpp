@@ -66,6 +66,7 @@ NoticeBar::NoticeBar(Actions& actions, ShowDocument& document, AppModel& app, QW
     connect(&document_, &ShowDocument::changed, this, [this] {
         if (!document_.waits_for_answer() && !says_not_opened_) hide();
     });
+    connect(&app_, &AppModel::unseen_stage_came, this, &NoticeBar::say_unseen);
     connect(&app_, &AppModel::not_opened, this, &NoticeBar::say_not_opened);
     connect(&app_, &AppModel::opened_show, this, [this] {
         if (app_.opened().is_edit) return;
@@ -91,6 +92,22 @@ void NoticeBar::say_without_optics() {
     if (!words.isEmpty())
         ask(words.join(' '), {{translated("Notice", "Other files for them..."), "panel-plot on"},
                               {translated("Notice", "Close"), ""}});
+}
+
+// It goes by itself when the camera does, and takes the place of nothing that waits for an answer.
+void NoticeBar::say_unseen() {
+    const UnseenStage& unseen = app_.unseen_stage();
+    if (!unseen.is_so) {
+        if (std::exchange(says_unseen_, false)) hide();
+        return;
+    }
+    if (isVisible() && !says_unseen_) return;
+    ask(unseen.body.empty()
+            ? translated("Notice", "The camera sees nothing of the stage; Home frames it.")
+            : translated("Notice", "The camera is behind '%1' and sees nothing of the stage; Home frames it.")
+                  .arg(QString::fromStdString(unseen.body)),
+        {{translated("Notice", "Home"), "see-all"}, {translated("Notice", "Close"), ""}});
+    says_unseen_ = true;
 }
 
 void NoticeBar::say_not_opened() {
@@ -128,7 +145,7 @@ void NoticeBar::look_at_messages() {
 void NoticeBar::ask(const QString& words, const std::vector<Answer>& answers, Kind kind) {
     clear();
     words_ = words;
-    says_not_opened_ = false;
+    says_not_opened_ = says_unseen_ = false;
     setStyleSheet(kind == Kind::fault ? "QToolBar { background: #6e2119; }" : "");
     auto* label = new NoticeWords(words, this);
     label->setContentsMargins(8, 0, 8, 0);

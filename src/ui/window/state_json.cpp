@@ -126,6 +126,8 @@ QJsonObject state_json(const AppModel& app, const View& view) {
                                  {"coarse", picture.is_coarse},
                                  {"lights_drawn", picture.lights_drawn},
                                  {"missing_maps", static_cast<int>(picture.missing_maps)},
+                                 {"missing_shadows", static_cast<int>(picture.missing_shadows)},
+                                 {"left_dark", static_cast<int>(picture.left_dark)},
                                  {"paint_ms", view.paint_ms()},
                                  {"pictures_per_s", view.figures().pictures_per_s()},
                                  {"baked", picture.is_baked},

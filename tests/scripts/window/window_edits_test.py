@@ -43,6 +43,18 @@ class Edits(unittest.TestCase):
         finally:
             self.assertEqual(window.close(), 0)
 
+    def test_a_new_fixture_has_a_mode(self):
+        show, window = self.open()
+        try:
+            before = len(self.fixtures(show))
+            window.do(f'add-fixture "{WORK / "fixtures" / "Ghostlight@LED_Par.gdtf"}"', "save")
+            added = list(self.fixtures(show).values())[before:]
+            self.assertTrue(added and added[0].get("mode"), added)
+            window.until(lambda state: state["explained"].get("why"))
+            self.assertNotIn("mode", window.state()["explained"]["why"])
+        finally:
+            self.assertEqual(window.close(), 0)
+
     def test_hanging(self):
         show, window = self.open()
         try:

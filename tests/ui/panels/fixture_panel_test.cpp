@@ -49,6 +49,37 @@ TEST(FixturePanel, enter_in_the_search_selects_what_it_found) {
     EXPECT_EQ(desk.app.selection(), (std::set<std::size_t>{1}));
 }
 
+// What heads do comes after the show, and from a show that is opened again all of it anew.
+TEST(FixturePanel, rows_by_light_are_in_order_again_after_the_show_was_opened_again) {
+    Desk desk;
+    FixturePanel panel(desk.app, desk.document, nullptr);
+    desk.open();
+    auto* table = panel.findChild<QTableView*>();
+    table->sortByColumn(FixtureList::level, Qt::DescendingOrder);
+    const auto light = [&](std::vector<float> dimmers) {
+        RigNow rig;
+        for (const float dimmer : dimmers) {
+            FixtureNow now;
+            now.dimmer = dimmer;
+            rig.fixtures.push_back(now);
+        }
+        desk.link.rig.put(std::move(rig));
+        desk.link.on_news();
+        settle();
+    };
+    const auto names = [&] {
+        QStringList all;
+        for (int row = 0; row < table->model()->rowCount(); ++row)
+            all << table->model()->index(row, FixtureList::name).data().toString();
+        return all.join(", ").toStdString();
+    };
+    light({0.1f, 0.9f, 0.5f});
+    EXPECT_EQ(names(), "Lamp 2, Lamp 3, Lamp 1");
+    desk.open();
+    light({0.8f, 0.1f, 0.3f});
+    EXPECT_EQ(names(), "Lamp 1, Lamp 3, Lamp 2");
+}
+
 // Of names that are too long the end is seen, which tells lamps of one kind apart.
 TEST(FixturePanel, names_that_do_not_fit_lose_their_middle) {
     Desk desk;

@@ -4,6 +4,7 @@
 #include "ui/actions/fan_actions.h"
 #include "ui/actions/programmer_actions.h"
 #include "ui/model/gel_book.h"
+#include "ui/model/palette_values.h"
 #include "ui/panels/programmer_panel.h"
 #include "ui/widgets/colour_field.h"
 #include "ui/widgets/theme.h"
@@ -120,6 +121,68 @@ TEST(ProgrammerPanel, a_step_of_what_is_mixed_moves_each_head_by_one) {
     EXPECT_FLOAT_EQ(pan(1), -30 - step);
     heads.app.undo_stack().undo();
     EXPECT_FLOAT_EQ(pan(2), 10) << "steps in a row are one";
+}
+
+TEST(ProgrammerPanel, a_slider_of_what_is_mixed_moves_each_head_by_as_much) {
+    Heads heads;
+    const auto set = [&](std::size_t head, float deg, float share) {
+        heads.app.select({head});
+        change_selected(heads.app, "pan", ProgrammerStep::step, [&](fixture::Programmer& programmer) {
+            programmer.pan_deg = deg;
+            programmer.intensity = share;
+        });
+    };
+    set(0, 0, 0.2f);
+    set(1, 200, 0.9f);
+    heads.app.select({0, 1});
+    const auto now = [&](std::size_t head) { return heads.app.look().fixtures.at(head); };
+    auto* const pan = heads.value("Pan")->findChild<QSlider*>();
+    const int at = pan->value(); // of the first
+    pan->setSliderDown(true);
+    pan->setSliderPosition(at + 50);
+    const float by = *now(0).pan_deg;
+    EXPECT_GT(by, 1);
+    EXPECT_FLOAT_EQ(*now(1).pan_deg, 200 + by);
+    EXPECT_TRUE(heads.value("Pan")->findChild<MixedSpinBox*>()->text().contains("mixed"));
+    // Held at its end, and where it was when the hand comes back.
+    pan->setSliderPosition(at + 400);
+    EXPECT_FLOAT_EQ(*now(1).pan_deg, 270);
+    pan->setSliderPosition(at + 50);
+    pan->setSliderDown(false);
+    EXPECT_FLOAT_EQ(*now(1).pan_deg, 200 + by);
+    EXPECT_FLOAT_EQ(*now(0).pan_deg, by);
+    heads.app.undo_stack().undo();
+    EXPECT_FLOAT_EQ(*now(0).pan_deg, 0) << "one step";
+    EXPECT_FLOAT_EQ(*now(1).pan_deg, 200);
+    // Keys go on by themselves.
+    auto* const intensity = heads.value("Intensity")->findChild<QSlider*>();
+    intensity->setValue(intensity->value() + 50);
+    intensity->setValue(intensity->value() + 50);
+    EXPECT_NEAR(*now(0).intensity, 0.3f, 1e-4f);
+    EXPECT_FLOAT_EQ(*now(1).intensity, 1.0f);
+}
+
+TEST(ProgrammerPanel, a_slider_of_a_mixed_parameter_keeps_the_differences) {
+    Heads heads;
+    for (const auto& [head, share] : {std::pair{std::size_t{0}, 0.25f}, {std::size_t{1}, 0.5f}}) {
+        heads.app.select({head});
+        heads.row("Iris")->on_change(share);
+    }
+    heads.app.select({0, 1});
+    settle();
+    auto* const slider = heads.row("Iris")->findChild<QSlider*>();
+    slider->setSliderDown(true);
+    slider->setSliderPosition(slider->value() + 102); // a tenth
+    slider->setSliderDown(false);
+    const auto iris = [&](std::size_t head) {
+        return heads.app.look().fixtures.at(head).channels.begin()->second;
+    };
+    EXPECT_NEAR(iris(0), 0.35f, 0.003f); // what is shown is one of 256 values
+    EXPECT_NEAR(iris(1), 0.6f, 0.003f);
+    EXPECT_EQ(heads.row("Iris")->findChildren<QToolButton*>().first()->toolTip(), "mixed");
+    // One of its list is for all.
+    heads.row("Iris")->findChild<QMenu*>()->actions().first()->trigger();
+    EXPECT_EQ(iris(0), iris(1));
 }
 
 TEST(ProgrammerPanel, a_number_that_is_undone_is_shown_though_its_field_has_the_focus) {
@@ -382,6 +445,14 @@ TEST(ColourField, the_gel_is_that_of_the_colour_that_is_there_or_none) {
     heads.app.select({1, 2});
     settle();
     EXPECT_EQ(gels->currentIndex(), 0) << "mixed";
+}
+
+TEST(Words, an_attribute_is_called_the_same_everywhere) {
+    scene::PaletteValues palette;
+    palette.attributes["ColorSub_C"] = 0.5f;
+    palette.attributes["Gobo1Pos"] = 0.25f;
+    const std::string words = words_of(palette).toStdString();
+    EXPECT_EQ(words, "Cyan 50 %, Gobo 1 turn 25 %");
 }
 
 TEST(GelBook, conversions_are_what_their_mired_say) {

@@ -56,6 +56,26 @@ TEST(Chips, another_show_that_is_opened_is_said_first) {
     EXPECT_EQ(chips_of(heard.app).front().text, "NO DESK YET");
 }
 
+TEST(Chips, shadows_that_are_missing_are_those_of_lights_that_shine) {
+    Bench bench;
+    bench.link.opened.put(four_lamps());
+    const auto chips = [&](std::size_t maps, std::size_t shadows, std::size_t left_dark) {
+        Picture picture;
+        picture.missing_maps = maps;
+        picture.missing_shadows = shadows;
+        picture.left_dark = left_dark;
+        bench.link.picture.put(std::move(picture));
+        bench.link.on_news();
+        settle();
+        QStringList words;
+        for (const Chip& chip : chips_of(bench.app)) words << chip.text;
+        return words.join("|").toStdString();
+    };
+    EXPECT_EQ(chips(65, 0, 0).find("shadows"), std::string::npos);
+    EXPECT_NE(chips(65, 3, 0).find("3 lights throw no shadows yet"), std::string::npos);
+    EXPECT_NE(chips(65, 0, 24).find("24 heads that nobody asks left dark"), std::string::npos);
+}
+
 TEST(Chips, an_edit_that_is_read_is_said_behind_what_stands_there) {
     Heard heard;
     heard.link.activity.put("taking the changes of tour/show.toml");

@@ -8,6 +8,7 @@
 #include "show/show.h"
 
 #include <QMouseEvent>
+#include <QPainter>
 #include <QScreen>
 #include <QWheelEvent>
 #include <QWindow>
@@ -20,6 +21,39 @@ TEST(View, asks_for_pictures_of_its_own_size) {
     EXPECT_EQ(watched.bench.app.camera().width, 320);
     EXPECT_EQ(watched.bench.app.camera().height, 180);
     EXPECT_EQ(watched.bench.app.camera().position_m, four_lamps().show->cameras[0].position_m);
+}
+
+// Labels of all of them would hide the picture.
+TEST(View, of_many_selected_heads_there_are_rings_alone) {
+    for (const std::size_t count : {std::size_t{12}, std::size_t{200}}) {
+        scene::Show show;
+        show.fixtures.resize(count);
+        RigNow rig;
+        std::set<std::size_t> selection;
+        for (std::size_t i = 0; i < count; ++i) {
+            show.fixtures[i].name = "Spot " + std::to_string(i);
+            FixtureNow now;
+            now.light_m = {0.4f * static_cast<float>(i % 20) - 4, 0, 0.4f * static_cast<float>(i / 20)};
+            rig.fixtures.push_back(now);
+            selection.insert(i);
+        }
+        scene::Camera camera;
+        camera.position_m = {0, -12, 2};
+        camera.target_m = {0, 0, 2};
+        camera.width = 640;
+        camera.height = 360;
+        const auto painted = [&](bool names) {
+            QImage image(640, 360, QImage::Format_RGB32);
+            image.fill(Qt::black);
+            QPainter painter(&image);
+            OverlayChoice choice;
+            choice.marks = true;
+            choice.names = choice.addresses = names;
+            paint_fixtures(painter, {QRectF(0, 0, 640, 360), camera, rig, selection}, show, {}, choice);
+            return image;
+        };
+        EXPECT_EQ(painted(true) == painted(false), count > 40) << count;
+    }
 }
 
 TEST(View, a_click_selects_the_lamp_and_beside_it_nothing) {

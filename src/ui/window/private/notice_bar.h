@@ -30,6 +30,7 @@ private:
     };
     void ask(const QString& words, const std::vector<Answer>& answers, Kind kind = Kind::question);
     void say_not_opened();
+    void say_unseen();
     void say_without_optics();
 
     Actions& actions_;
@@ -37,6 +38,7 @@ private:
     AppModel& app_;
     QString words_;
     bool says_not_opened_ = false;
+    bool says_unseen_ = false;
     std::set<std::string> errors_; // of the show that was open, without their lines, which move
 };
 
