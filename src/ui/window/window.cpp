@@ -113,7 +113,7 @@ Window::Window(Link& link, const WindowOptions& options)
     add_fan_actions(actions_, app_);
     add_palette_actions(actions_, palettes_);
     add_export_actions(actions_, app_, exporter_);
-    add_print_actions(actions_, app_, *this);
+    add_print_actions(actions_, app_, document_, *this);
     add_patch_actions(actions_, app_, document_);
     add_hang_action(actions_, app_, document_);
     auto* aiming = new Aiming(app_, actions_, this);
