@@ -70,8 +70,6 @@ TEST(CameraEdit, what_the_file_does_not_have_is_refused) {
     ASSERT_FALSE(damaged.ok());
     EXPECT_NE(damaged.error().text().find("cannot be read"), std::string::npos);
     EXPECT_FALSE(rename_camera(kWithCameras, two_cameras(), 2, "x").ok());
-    EXPECT_FALSE(
-        rename_camera("camera = [{ name = \"front\" }, { name = \"side\" }]\n", two_cameras(), 0, "x").ok());
 }
 
 } // namespace
