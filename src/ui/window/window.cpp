@@ -40,6 +40,7 @@
 #include "ui/window/private/panel_rail.h"
 #include "ui/window/private/plot_actions.h"
 #include "ui/window/private/print_dialog.h"
+#include "ui/window/private/tear_off.h"
 #include "ui/window/private/welcome.h"
 
 #include <QApplication>
@@ -95,9 +96,9 @@ Window::Window(Link& link, const WindowOptions& options)
         });
     };
     cues_.complain = actions_.complain;
-    rail_ = new PanelRail(*this);
     connect(&app_.undo_stack(), &QUndoStack::undoTextChanged, this, &Window::name_steps);
     connect(&app_.undo_stack(), &QUndoStack::redoTextChanged, this, &Window::name_steps);
+    rail_ = new PanelRail(*this);
     add_panels();
     add_strip();
     add_window_actions();
@@ -150,9 +151,9 @@ Window::Window(Link& link, const WindowOptions& options)
     auto* context_menus = new ContextMenus(menus_, app_, view_);
     context_menus->serve_fixtures(fixtures_->table());
     context_menus->serve(look_list_->list(), [this](QMenu& menu) { look_list_->fill_menu(menu); });
-    context_menus->serve(cue_table_->table(), [this](QMenu& menu) { cue_table_->fill_menu(menu); });
     auto* const strip = strip_->findChild<CameraStrip*>();
     context_menus->serve(strip, [strip](QMenu& menu) { strip->fill_menu(menu); });
+    context_menus->serve(cue_table_->table(), [this](QMenu& menu) { cue_table_->fill_menu(menu); });
     PaletteBox& palettes = programmer_->palettes();
     context_menus->serve(palettes.list(), [&palettes](QMenu& menu) { palettes.fill_menu(menu); });
     connect(&app_.undo_stack(), &QUndoStack::indexChanged, this, [this] { ++steps_; });
@@ -260,8 +261,8 @@ Window::Window(Link& link, const WindowOptions& options)
 
 // Qt closes a window that goes, and its panels would speak to what went before them.
 Window::~Window() {
-    delete rail_;
     app_.undo_stack().disconnect(this); // it tells of its end
+    delete rail_;
     strip_->disconnect(this);
     delete strip_; // while there are panels: it says that it goes
     for (QDockWidget* const panel : findChildren<QDockWidget*>()) {
@@ -275,7 +276,15 @@ QDockWidget* Window::add_panel(const QString& name, const QString& title, QWidge
                                Qt::DockWidgetArea area) {
     auto* dock = new QDockWidget(title, this);
     dock->setObjectName(name); // the layout is remembered by it
-    dock->setWidget(new PanelArea(panel, dock));
+    auto* const holder = new PanelArea(panel, dock);
+    dock->setWidget(holder);
+    // What needs a show waits for one. Network and messages do not, and jobs have their Cancel in Export.
+    if (static const std::set<QString> kNeedNoShow{"network", "messages", "browsers", "export"};
+        !kNeedNoShow.contains(name)) {
+        holder->setEnabled(false);
+        connect(&app_, &AppModel::opened_show, holder, [holder] { holder->setEnabled(true); });
+    }
+    new TearOff(*dock);
     addDockWidget(area, dock);
     docks_.push_back(dock);
     rail_->add(*dock);
@@ -357,7 +366,8 @@ void Window::add_panels() {
     // Where the window manager draws the title of a torn-off panel, nothing on it puts it back.
     actions_.add({"panels-dock", "Panels", translated("Action", "Put torn-off panels back"), "", "",
                   [this](const QStringList&) -> Result<void> {
-                      for (QDockWidget* const dock : docks_) dock->setFloating(false);
+                      for (QDockWidget* const dock : docks_)
+                          if (dock->isFloating()) dock->setFloating(false); // TearOff brings it to the front
                       return {};
                   }});
 }
