@@ -431,6 +431,22 @@
         <source>Put torn-off panels back</source>
         <translation>Abgelöste Fenster zurücksetzen</translation>
     </message>
+    <message>
+        <source>Name this camera</source>
+        <translation>Diese Kamera benennen</translation>
+    </message>
+    <message>
+        <source>Remove this camera</source>
+        <translation>Diese Kamera entfernen</translation>
+    </message>
+    <message>
+        <source>Undo: %1</source>
+        <translation>Rückgängig: %1</translation>
+    </message>
+    <message>
+        <source>Redo: %1</source>
+        <translation>Wiederholen: %1</translation>
+    </message>
 </context>
 <context>
     <name>Air</name>
@@ -2274,6 +2290,22 @@
         <source>Home</source>
         <translation>Pos1</translation>
     </message>
+    <message>
+        <source>Name of camera &apos;%1&apos;</source>
+        <translation>Name der Kamera &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>Name...</source>
+        <translation>Name...</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Not done: %1</source>
+        <translation>Nicht getan: %1</translation>
+    </message>
 </context>
 <context>
     <name>Palettes</name>
@@ -2566,10 +2598,6 @@
         <translation>Kameras</translation>
     </message>
     <message>
-        <source>A click goes there. The pictures are made while nothing moves.</source>
-        <translation>Ein Klick geht dorthin. Die Bilder entstehen, während sich nichts bewegt.</translation>
-    </message>
-    <message>
         <source>%1 lx, of which %2 bounced</source>
         <translation>%1 lx, davon %2 indirekt</translation>
     </message>
@@ -2612,6 +2640,22 @@
     <message>
         <source>The first picture is being drawn</source>
         <translation>Das erste Bild wird gezeichnet</translation>
+    </message>
+    <message>
+        <source>A click goes there. F2: another name. The pictures are made while nothing moves.</source>
+        <translation>Ein Klick geht dorthin. F2: anderer Name. Die Bilder entstehen, während sich nichts bewegt.</translation>
+    </message>
+    <message>
+        <source>Go to this</source>
+        <translation>Zu dieser</translation>
+    </message>
+    <message>
+        <source>Rename</source>
+        <translation>Umbenennen</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
     </message>
 </context>
 <context>
@@ -6871,6 +6915,42 @@ Bitte den Namen des Ordners prüfen.</translation>
         <source>&apos;%1&apos; is neither a size like 1920x1080, 16 to 8192 each way, nor a camera of the show</source>
         <translation>&apos;%1&apos; ist weder eine Größe wie 1920x1080, 16 bis 8192 je Richtung, noch eine Kamera der Show</translation>
     </message>
+    <message>
+        <source>camera &apos;%1&apos; is made from where the fixtures hang, for the show has none of its own; keep one first (Ctrl+K)</source>
+        <translation>Kamera &apos;%1&apos; ist aus den Plätzen der Geräte gemacht, denn die Show hat keine eigene; behalte zuerst eine (Strg+K)</translation>
+    </message>
+    <message>
+        <source>has no camera number %1</source>
+        <translation>hat keine Kamera Nummer %1</translation>
+    </message>
+    <message>
+        <source>has a [[camera]] that cannot be read (Messages say which); mend it there first</source>
+        <translation>hat eine [[camera]], die nicht gelesen werden kann (Meldungen sagen, welche); zuerst dort beheben</translation>
+    </message>
+    <message>
+        <source>the picture stands at no camera of the show: go to one, or keep this one (Ctrl+K)</source>
+        <translation>das Bild steht bei keiner Kamera der Show: zu einer gehen, oder diese behalten (Strg+K)</translation>
+    </message>
+    <message>
+        <source>camera &apos;%1&apos; is the last one of the show; keep another one first (Ctrl+K)</source>
+        <translation>Kamera &apos;%1&apos; ist die letzte der Show; behalte zuerst eine andere (Strg+K)</translation>
+    </message>
+    <message>
+        <source>camera &apos;%1&apos; cannot be removed: cue &apos;%2&apos; goes to it; give that cue another camera first</source>
+        <translation>Kamera &apos;%1&apos; kann nicht entfernt werden: Cue &apos;%2&apos; geht zu ihr; gib ihm zuerst eine andere Kamera</translation>
+    </message>
+    <message>
+        <source>camera &apos;%1&apos; cannot be removed: a tracker moves it</source>
+        <translation>Kamera &apos;%1&apos; kann nicht entfernt werden: ein Tracker bewegt sie</translation>
+    </message>
+    <message>
+        <source>camera &apos;%1&apos; cannot be removed: mover &apos;%2&apos; carries it</source>
+        <translation>Kamera &apos;%1&apos; kann nicht entfernt werden: Mover &apos;%2&apos; trägt sie</translation>
+    </message>
+    <message>
+        <source>it needs a camera and its new name</source>
+        <translation>es braucht eine Kamera und ihren neuen Namen</translation>
+    </message>
 </context>
 <context>
     <name>Transport</name>
@@ -6954,18 +7034,6 @@ Bitte den Namen des Ordners prüfen.</translation>
         <translation>Indirektes Licht</translation>
     </message>
     <message>
-        <source>Cue</source>
-        <translation>Cue</translation>
-    </message>
-    <message>
-        <source>Move cue</source>
-        <translation>Cue verschieben</translation>
-    </message>
-    <message>
-        <source>Remove cue</source>
-        <translation>Cue entfernen</translation>
-    </message>
-    <message>
         <source>fan %1</source>
         <translation>fächern: %1</translation>
     </message>
@@ -6984,10 +7052,6 @@ Bitte den Namen des Ordners prüfen.</translation>
     <message>
         <source>palette %1</source>
         <translation>Palette %1</translation>
-    </message>
-    <message>
-        <source>Rename palette</source>
-        <translation>Palette umbenennen</translation>
     </message>
     <message>
         <source>Address</source>
@@ -7050,24 +7114,12 @@ Bitte den Namen des Ordners prüfen.</translation>
         <translation>Looks aus der Datei</translation>
     </message>
     <message>
-        <source>store look</source>
-        <translation>Look speichern</translation>
-    </message>
-    <message>
         <source>look %1</source>
         <translation>Look %1</translation>
     </message>
     <message>
-        <source>rename look</source>
-        <translation>Look umbenennen</translation>
-    </message>
-    <message>
         <source>seconds of a look</source>
         <translation>Sekunden eines Looks</translation>
-    </message>
-    <message>
-        <source>remove look</source>
-        <translation>Look entfernen</translation>
     </message>
     <message>
         <source>Reload</source>
@@ -7229,6 +7281,57 @@ Bitte den Namen des Ordners prüfen.</translation>
             <numerusform>%n Gerätedatei ersetzt</numerusform>
             <numerusform>%n Gerätedateien ersetzt</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Cue &apos;%1&apos; changed</source>
+        <translation>Cue &apos;%1&apos; geändert</translation>
+    </message>
+    <message>
+        <source>Cue &apos;%1&apos; moved</source>
+        <translation>Cue &apos;%1&apos; verschoben</translation>
+    </message>
+    <message>
+        <source>Cue &apos;%1&apos; removed</source>
+        <translation>Cue &apos;%1&apos; entfernt</translation>
+    </message>
+    <message>
+        <source>Palette &apos;%1&apos; renamed &apos;%2&apos;</source>
+        <translation>Palette &apos;%1&apos; in &apos;%2&apos; umbenannt</translation>
+    </message>
+    <message>
+        <source>%1 of &apos;%2&apos;</source>
+        <translation>%1 von &apos;%2&apos;</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 of %n fixture(s)</source>
+        <translation>
+            <numerusform>%1 von %n Gerät</numerusform>
+            <numerusform>%1 von %n Geräten</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Rename</source>
+        <translation>Umbenennung</translation>
+    </message>
+    <message>
+        <source>Camera &apos;%1&apos; renamed &apos;%2&apos;</source>
+        <translation>Kamera &apos;%1&apos; in &apos;%2&apos; umbenannt</translation>
+    </message>
+    <message>
+        <source>Camera &apos;%1&apos; removed</source>
+        <translation>Kamera &apos;%1&apos; entfernt</translation>
+    </message>
+    <message>
+        <source>Look &apos;%1&apos; stored</source>
+        <translation>Look &apos;%1&apos; gespeichert</translation>
+    </message>
+    <message>
+        <source>Look &apos;%1&apos; renamed &apos;%2&apos;</source>
+        <translation>Look &apos;%1&apos; in &apos;%2&apos; umbenannt</translation>
+    </message>
+    <message>
+        <source>Look &apos;%1&apos; removed</source>
+        <translation>Look &apos;%1&apos; entfernt</translation>
     </message>
 </context>
 <context>
@@ -7447,6 +7550,10 @@ Bitte den Namen des Ordners prüfen.</translation>
             <numerusform>%n Auftrag des Exports endet mit dem Fenster; vom Vorberechnen bleibt, was fertig ist.</numerusform>
             <numerusform>%n Aufträge des Exports enden mit dem Fenster; vom Vorberechnen bleibt, was fertig ist.</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>(read only)</source>
+        <translation>(schreibgeschützt)</translation>
     </message>
 </context>
 </TS>

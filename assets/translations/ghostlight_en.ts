@@ -243,6 +243,13 @@
             <numerusform>%n fixture files substituted</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%1 of %n fixture(s)</source>
+        <translation>
+            <numerusform>%1 of %n fixture</numerusform>
+            <numerusform>%1 of %n fixtures</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>Window</name>

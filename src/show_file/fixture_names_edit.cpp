@@ -116,4 +116,20 @@ Result<std::string> rename_in_references(const std::string& text, const FixtureN
     return checked(document, expected);
 }
 
+Result<std::string> rename_camera_in_references(const std::string& text, const FixtureNames& renamed,
+                                                const std::set<std::string>& all) {
+    TRY(TomlText document, TomlText::parse(text));
+    const toml::table& root = document.root();
+    toml::table expected = root;
+    Renaming names(document, renamed, all);
+    for (const char* const list : {"cue", "tracker"})
+        TRY_VOID(Renaming::each(root[list], expected[list], [&](const toml::table& table, toml::table& to) {
+            return names.text(table, to, "camera");
+        }));
+    TRY_VOID(Renaming::each(root["mover"], expected["mover"], [&](const toml::table& table, toml::table& to) {
+        return names.list(table, to, "cameras");
+    }));
+    return checked(document, expected);
+}
+
 } // namespace ghost::scene

@@ -1,7 +1,8 @@
 #pragma once
 // SPDX-License-Identifier: Apache-2.0
-// What refers to fixtures by their names in show.toml, after they got others: trackers, movers with what they
-// carry and what drives them, palettes. As show_edit.h: all else stays byte for byte. Pure, any thread.
+// What refers to fixtures, or cameras, by their names in show.toml, after they got others: trackers, movers
+// with what they carry and what drives them, palettes. As show_edit.h: all else stays byte for byte. Pure,
+// any thread.
 
 #include "base/result.h"
 
@@ -19,5 +20,8 @@ using FixtureNames = std::map<std::string, std::string>;
 // edited.
 Result<std::string> rename_in_references(const std::string& text, const FixtureNames& renamed,
                                          const std::set<std::string>& all);
+// The same of cameras: cues and trackers that name one, movers that carry one.
+Result<std::string> rename_camera_in_references(const std::string& text, const FixtureNames& renamed,
+                                                const std::set<std::string>& all);
 
 } // namespace ghost::scene

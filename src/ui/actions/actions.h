@@ -57,6 +57,11 @@ public:
 
     // Where what went wrong is said when a person did it, not a script.
     std::function<void(const Error&)> complain;
+    // A word that a person is asked for who chose an action without it: what, what is proposed, and what
+    // takes it.
+    std::function<void(const QString& what, const QString& value,
+                       std::function<Result<void>(const QString&)> done)>
+        ask_word;
     // After each action that was done, whoever asked for it. made_step: it did something that can be undone.
     std::function<void(const Action&, bool made_step)> on_done;
     // How often something was done or undone so far that can be undone.

@@ -19,7 +19,51 @@ const std::set<QString> kNeedEditable{"add-fixture", "duplicate", "remove",     
                                       "distribute",  "align-x",   "align-y",     "align-z", "set-stage",
                                       "add-model",   "add-hazer", "keep-camera", "save",    "fly-on-hoists"};
 
+const std::set<QString> kEdits{"address",
+                               "rename",
+                               "mode",
+                               "place",
+                               "move",
+                               "rotate",
+                               "align",
+                               "mover-address",
+                               "move-object",
+                               "nudge-left",
+                               "nudge-right",
+                               "nudge-up-stage",
+                               "nudge-down-stage",
+                               "set-plot",
+                               "substitute",
+                               "substitute-same",
+                               "haze",
+                               "clouds",
+                               "cloud-size",
+                               "wind",
+                               "hazer",
+                               "remove-hazer",
+                               "bounce",
+                               "camera-rename",
+                               "camera-remove",
+                               "save-as",
+                               "cue-add",
+                               "cue-set",
+                               "cue-move",
+                               "cue-remove",
+                               "palette-store",
+                               "palette-rename",
+                               "palette-remove",
+                               "look-store",
+                               "look-capture",
+                               "look-rename",
+                               "look-fade",
+                               "look-remove"};
+
 } // namespace
+
+bool is_edit(const std::string& name) {
+    const QString action = QString::fromStdString(name);
+    return kEdits.contains(action) || kNeedEditable.contains(action);
+}
 
 bool can_do(const QString& name, const AppModel& app, const ShowDocument& document) {
     if (name.startsWith("panel-") || name.startsWith("language-") || kNeedNothing.contains(name)) return true;
@@ -35,6 +79,9 @@ bool can_do(const QString& name, const AppModel& app, const ShowDocument& docume
         return std::any_of(app.selection().begin(), app.selection().end(),
                            [&](std::size_t one) { return app.look().fixtures.contains(one); });
     if (name == "release-all") return !app.look().is_empty();
+    if (name == "camera-rename" || name == "camera-remove")
+        return app.stored_camera() && document.can_edit() &&
+               (name == "camera-rename" || app.show()->cameras.size() > 1);
     if (name == "solo") return !app.selection().empty() || !app.look().solo.empty();
     if (name == "play-recorded") return !app.recorded().file.empty() && !app.recorded().error;
     if (kNeedSelection.contains(name) && app.selection().empty()) return false;

@@ -13,4 +13,7 @@ namespace ghost::ui {
 // name: as the table of actions has it; one of no table needs a show.
 bool can_do(const QString& name, const AppModel& app, const ShowDocument& document);
 
+// Whether it is an edit of the show or its looks: what is refused of it is said over the picture.
+bool is_edit(const std::string& name);
+
 } // namespace ghost::ui

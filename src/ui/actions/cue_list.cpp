@@ -38,7 +38,7 @@ CueList::CueList(AppModel& app, ShowDocument& document, Looks& looks)
     });
     connect(&app_, &AppModel::cue_called, this, [this](const QString& name) {
         const auto cue = std::ranges::find(all(), name.toStdString(), &scene::Cue::name);
-        if (cue != all().end()) be_in(static_cast<std::size_t>(cue - all().begin()));
+        if (cue != all().end()) be_in(static_cast<std::size_t>(cue - all().begin()), After::follows);
     });
     connect(&app_, &AppModel::rig_came, this, &CueList::look_at_recording);
 }
@@ -56,7 +56,7 @@ Result<void> CueList::go() {
     if (all().empty()) return Error{"the show has no cue: add one", ""};
     const std::size_t next = current_ ? *current_ + 1 : 0;
     if (next >= all().size()) return Error{"this was the last cue", ""};
-    return call(next);
+    return call(next, Place::goes_there, After::follows);
 }
 
 Result<void> CueList::back() {
@@ -66,10 +66,10 @@ Result<void> CueList::back() {
 }
 
 Result<void> CueList::call(std::size_t index) {
-    return call(index, Place::goes_there);
+    return call(index, Place::goes_there, After::stands);
 }
 
-Result<void> CueList::call(std::size_t index, Place place) {
+Result<void> CueList::call(std::size_t index, Place place, After after) {
     if (index >= all().size()) return Error{"there is no cue number " + std::to_string(index + 1), ""};
     const scene::Cue cue = all()[index];
     if (!cue.look.empty())
@@ -86,16 +86,16 @@ Result<void> CueList::call(std::size_t index, Place place) {
             ++request.transport.seeks;
             request.transport.at_s = *cue.at_s;
         });
-    be_in(index);
+    be_in(index, after);
     app_.publish_cue(cue.name);
     return {};
 }
 
-void CueList::be_in(std::size_t index) {
+void CueList::be_in(std::size_t index, After after) {
     current_ = index;
     follow_.stop();
     const std::optional<float>& follow_s = all()[index].follow_s;
-    if (follow_s && index + 1 < all().size())
+    if (after == After::follows && follow_s && index + 1 < all().size())
         follow_.start(static_cast<int>(1000 * std::min(static_cast<double>(*follow_s), kLongestFollow_s)));
     Q_EMIT changed();
 }
@@ -114,7 +114,8 @@ void CueList::look_at_recording() {
     for (std::size_t i = 0; i < all().size(); ++i) {
         const std::optional<double>& at_s = all()[i].at_s;
         if (!at_s || *at_s <= before_s || *at_s > seen_s_) continue;
-        if (const Result<void> done = call(i, Place::stays); !done.ok() && complain) complain(done.error());
+        if (const Result<void> done = call(i, Place::stays, After::follows); !done.ok() && complain)
+            complain(done.error());
         return;
     }
 }
@@ -187,19 +188,24 @@ Result<void> CueList::set(std::size_t index, const QString& what, const QString&
     }
     if (!cue.at_s && cue.camera.empty() && cue.look.empty())
         return Error{"a cue needs a look, a camera or a place in the recording", ""};
-    return edit(translated("Undo", "Cue"), scene::edit_cue(document_.text(), all(), index, cue));
+    return edit(translated("Undo", "Cue '%1' changed").arg(QString::fromStdString(all()[index].name)),
+                scene::edit_cue(document_.text(), all(), index, cue));
 }
 
 Result<void> CueList::move(std::size_t index, int by) {
     TRY_VOID(document_.check_editable());
     const std::size_t lower = by < 0 ? index : index + 1;
     if (by > 0 && lower >= all().size()) return Error{"this is the last cue", ""};
-    return edit(translated("Undo", "Move cue"), scene::move_cue_up(document_.text(), all(), lower));
+    if (lower >= all().size()) return Error{"there is no cue number " + std::to_string(index + 1), ""};
+    return edit(translated("Undo", "Cue '%1' moved").arg(QString::fromStdString(all()[index].name)),
+                scene::move_cue_up(document_.text(), all(), lower));
 }
 
 Result<void> CueList::remove(std::size_t index) {
     TRY_VOID(document_.check_editable());
-    return edit(translated("Undo", "Remove cue"), scene::remove_cue(document_.text(), all(), index));
+    if (index >= all().size()) return Error{"there is no cue number " + std::to_string(index + 1), ""};
+    return edit(translated("Undo", "Cue '%1' removed").arg(QString::fromStdString(all()[index].name)),
+                scene::remove_cue(document_.text(), all(), index));
 }
 
 namespace {

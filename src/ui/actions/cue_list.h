@@ -24,7 +24,9 @@ public:
     std::optional<std::size_t> current() const { return current_; } // that was called last
     double follows_in_s() const; // until the next one goes by itself; below 0: it does not
 
+    // The next one; what follows it goes by itself.
     Result<void> go();
+    // Who goes back, or to one by hand, stands there: nothing follows until the next go.
     Result<void> back();
     Result<void> call(std::size_t index);
     // Cues with a place in the recording are called when it, or its time code, comes by.
@@ -44,8 +46,9 @@ Q_SIGNALS:
 
 private:
     enum class Place { goes_there, stays };
-    Result<void> call(std::size_t index, Place place);
-    void be_in(std::size_t index);
+    enum class After { follows, stands };
+    Result<void> call(std::size_t index, Place place, After after);
+    void be_in(std::size_t index, After after);
     void look_at_recording();
     Result<void> edit(const QString& what, const Result<std::string>& text);
 

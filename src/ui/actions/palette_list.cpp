@@ -75,7 +75,7 @@ Result<void> PaletteList::rename(const QString& name, const QString& to) {
     TRY_VOID(scene::check_stored_name("palette", to.toStdString()));
     if (name != to && scene::find_palette(all(), to.toStdString()).ok())
         return Error{"another palette is called '" + to.toStdString() + "'", ""};
-    return edit(translated("Undo", "Rename palette"),
+    return edit(translated("Undo", "Palette '%1' renamed '%2'").arg(name, to),
                 scene::rename_palette(document_.text(), all(), index, to.toStdString()));
 }
 

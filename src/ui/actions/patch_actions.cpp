@@ -129,6 +129,37 @@ void add_patch_actions(Actions& actions, AppModel& app, ShowDocument& document) 
                      return PatchEdit(app, document).keep_camera(words.value(0));
                  },
                  {}});
+    // Without its new name a person is asked for it.
+    actions.add({"camera-rename",
+                 "Camera",
+                 translated("Action", "Name this camera"),
+                 "Ctrl+Alt+K",
+                 "NAME|NUMBER NEW-NAME",
+                 [&actions, &app, &document](const QStringList& words) -> Result<void> {
+                     PatchEdit edit(app, document);
+                     if (words.size() > 1) return edit.rename_camera(words[0], words[1]);
+                     if (!actions.is_by_hand() || !actions.ask_word)
+                         return Error{"it needs a camera and its new name", ""};
+                     TRY_VOID(document.check_editable());
+                     TRY(const std::size_t index, edit.camera_of(words.value(0)));
+                     const QString name = QString::fromStdString(app.show()->cameras[index].name);
+                     actions.ask_word(translated("Notice", "Name of camera '%1'").arg(name), name,
+                                      [&actions, name](const QString& typed) {
+                                          return actions.run("camera-rename " + quoted(name) + " " +
+                                                             quoted(typed.trimmed()));
+                                      });
+                     return {};
+                 },
+                 {}});
+    actions.add({"camera-remove",
+                 "Camera",
+                 translated("Action", "Remove this camera"),
+                 "Ctrl+Alt+Shift+K",
+                 "[NAME|NUMBER]",
+                 [&app, &document](const QStringList& words) {
+                     return PatchEdit(app, document).remove_camera(words.value(0));
+                 },
+                 {}});
     add("set-stage", translated("Action", "Choose the stage..."), "", "MODEL",
         [](PatchEdit& edit, const QStringList& words) { return edit.set_stage(words[0].toStdString()); },
         {translated("Files", "A model becomes the stage of the show"), translated("Files", kModels), ""});

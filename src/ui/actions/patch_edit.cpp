@@ -7,6 +7,7 @@
 #include "fixture_files/load_type.h"
 #include "show/free_address.h"
 #include "show/names.h"
+#include "show_file/camera_edit.h"
 #include "show_file/fixture_names_edit.h"
 #include "ui/language/language.h"
 
@@ -87,12 +88,20 @@ Result<void> PatchEdit::edit_each(const QString& what, F&& f) {
     return document_.edit(what + by_, {std::move(text), app_.look(), app_.selection()});
 }
 
+QString PatchEdit::of_chosen(const QString& what) const {
+    if (!by_.isEmpty() || chosen().empty()) return what;
+    const std::size_t first = *chosen().begin();
+    if (chosen().size() == 1 && app_.show() && first < fixtures().size())
+        return translated("Undo", "%1 of '%2'").arg(what, QString::fromStdString(fixtures()[first].name));
+    return translated("Undo", "%1 of %n fixture(s)", nullptr, chosen().size()).arg(what);
+}
+
 Result<void> PatchEdit::set_address(fixture::Address from) {
     int before = 0; // footprint
     fixture::Address at = from;
     return edit_each(from.channel == 0
                          ? translated("Undo", "%n fixture(s) unpatched", nullptr, chosen().size())
-                         : translated("Undo", "Address"),
+                         : of_chosen(translated("Undo", "Address")),
                      [&](const scene::PatchedFixture& fixture, scene::FixtureEdit& edit) -> Result<void> {
                          if (before > 0 && from.channel > 0)
                              at = fixture::next_address(at, before, footprint(fixture));
@@ -131,12 +140,13 @@ Result<void> PatchEdit::rename(const QString& name) {
     TRY(const auto edits, edits_of_each(call));
     TRY(std::string text, scene::edit_fixtures(document_.text(), edits));
     TRY(text, scene::rename_in_references(text, renamed, taken));
-    return document_.edit_names(translated("Undo", "Name") + by_,
+    return document_.edit_names(by_.isEmpty() ? of_chosen(translated("Undo", "Rename"))
+                                              : translated("Undo", "Name") + by_,
                                 {std::move(text), app_.look(), app_.selection()}, renamed);
 }
 
 Result<void> PatchEdit::set_mode(const QString& mode) {
-    return edit_each(translated("Undo", "Mode"),
+    return edit_each(of_chosen(translated("Undo", "Mode")),
                      [&](const scene::PatchedFixture& fixture, scene::FixtureEdit& edit) -> Result<void> {
                          if (!fixture.type)
                              return Error{"has no fixture file that can be read", fixture.name};
@@ -148,7 +158,7 @@ Result<void> PatchEdit::set_mode(const QString& mode) {
 }
 
 Result<void> PatchEdit::set_position(const glm::vec3& position_m) {
-    return edit_each(translated("Undo", "Position"),
+    return edit_each(of_chosen(translated("Undo", "Position")),
                      [&](const scene::PatchedFixture& fixture, scene::FixtureEdit& edit) -> Result<void> {
                          if (fixture.track)
                              return Error{"hangs on a track, which says where it is", fixture.name};
@@ -169,7 +179,7 @@ Result<void> PatchEdit::set_positions(const QString& what, const std::vector<glm
 }
 
 Result<void> PatchEdit::move_by(const glm::vec3& by_m) {
-    return edit_each(translated("Undo", "Move"),
+    return edit_each(of_chosen(translated("Undo", "Move")),
                      [&](const scene::PatchedFixture& fixture, scene::FixtureEdit& edit) -> Result<void> {
                          if (fixture.track)
                              return Error{"hangs on a track, which says where it is", fixture.name};
@@ -179,7 +189,7 @@ Result<void> PatchEdit::move_by(const glm::vec3& by_m) {
 }
 
 Result<void> PatchEdit::set_rotation(const glm::vec3& rotation_deg) {
-    return edit_each(translated("Undo", "Turn"),
+    return edit_each(of_chosen(translated("Undo", "Turn")),
                      [&](const scene::PatchedFixture&, scene::FixtureEdit& edit) -> Result<void> {
                          edit.rotation_deg = rotation_deg;
                          return {};
@@ -192,7 +202,7 @@ Result<void> PatchEdit::align(int axis) {
 }
 
 Result<void> PatchEdit::set_axis(int axis, float place_m) {
-    return edit_each(translated("Undo", "Position"),
+    return edit_each(of_chosen(translated("Undo", "Position")),
                      [&](const scene::PatchedFixture& fixture, scene::FixtureEdit& edit) -> Result<void> {
                          if (fixture.track)
                              return Error{"hangs on a track, which says where it is", fixture.name};
@@ -327,6 +337,60 @@ Result<void> PatchEdit::keep_camera(const QString& name) {
         return Error{"another camera is called '" + camera.name + "'", ""};
     TRY(std::string text, scene::add_camera(document_.text(), camera));
     return document_.edit(translated("Undo", "Camera '%1' kept").arg(QString::fromStdString(camera.name)),
+                          {std::move(text), app_.look(), app_.selection()});
+}
+
+Result<std::size_t> PatchEdit::camera_of(const QString& which) const {
+    if (!app_.show()) return Error{"no show is open", ""};
+    const std::vector<scene::Camera>& cameras = app_.show()->cameras;
+    bool is_number = false;
+    const int number = which.toInt(&is_number);
+    if (is_number && number >= 1 && number <= static_cast<int>(cameras.size()))
+        return static_cast<std::size_t>(number - 1);
+    if (!which.isEmpty()) return app_.show()->find_camera(which.toStdString());
+    if (const auto stored = app_.stored_camera()) return *stored;
+    return Error{"the picture stands at no camera of the show: go to one, or keep this one (Ctrl+K)", ""};
+}
+
+Result<void> PatchEdit::rename_camera(const QString& which, const QString& name) {
+    TRY_VOID(document_.check_editable());
+    TRY(const std::size_t index, camera_of(which));
+    const std::vector<scene::Camera>& cameras = app_.show()->cameras;
+    const std::string next = name.trimmed().toStdString(), before = cameras[index].name;
+    if (!scene::is_good_name(next))
+        return Error{"'" + next + "' is no name: 1 to 100 bytes, no leading dot, none of /\\:*?\"<>|", ""};
+    for (std::size_t i = 0; i < cameras.size(); ++i)
+        if (i != index && cameras[i].name == next)
+            return Error{"another camera is called '" + next + "'", ""};
+    if (next == before) return {};
+    TRY(std::string text, scene::rename_camera(document_.text(), cameras, index, next));
+    return document_.edit(translated("Undo", "Camera '%1' renamed '%2'")
+                              .arg(QString::fromStdString(before), QString::fromStdString(next)),
+                          {std::move(text), app_.look(), app_.selection()});
+}
+
+Result<void> PatchEdit::remove_camera(const QString& which) {
+    TRY_VOID(document_.check_editable());
+    TRY(const std::size_t index, camera_of(which));
+    const scene::Show& show = *app_.show();
+    const std::string name = show.cameras[index].name;
+    TRY(std::string text, scene::remove_camera(document_.text(), show.cameras, index));
+    if (show.cameras.size() == 1)
+        return Error{"camera '" + name + "' is the last one of the show; keep another one first (Ctrl+K)",
+                     ""};
+    for (const scene::Cue& cue : show.cues)
+        if (cue.camera == name)
+            return Error{"camera '" + name + "' cannot be removed: cue '" + cue.name +
+                             "' goes to it; give that cue another camera first",
+                         ""};
+    for (const scene::TrackerUse& use : show.tracking.uses)
+        if (use.camera == name)
+            return Error{"camera '" + name + "' cannot be removed: a tracker moves it", ""};
+    for (const scene::Mover& mover : show.movers)
+        if (std::find(mover.cameras.begin(), mover.cameras.end(), name) != mover.cameras.end())
+            return Error{"camera '" + name + "' cannot be removed: mover '" + mover.name + "' carries it",
+                         ""};
+    return document_.edit(translated("Undo", "Camera '%1' removed").arg(QString::fromStdString(name)),
                           {std::move(text), app_.look(), app_.selection()});
 }
 

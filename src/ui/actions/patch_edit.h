@@ -52,6 +52,11 @@ public:
     Result<void> add(const std::filesystem::path& file, const glm::vec3& position_m);
     // The picture as it is seen now becomes a camera of the show; name empty: "Camera 3" and so on.
     Result<void> keep_camera(const QString& name);
+    // which: a number from 1, or a name; empty: where the picture stands. What refers to it by name has the
+    // new one, too. None is removed that is the last, or that cues, trackers or movers name.
+    Result<void> rename_camera(const QString& which, const QString& name);
+    Result<void> remove_camera(const QString& which);
+    Result<std::size_t> camera_of(const QString& which) const; // index; error: none
     // A model becomes the stage of the show, a plot (.mvr) its plot, where it has none; copied likewise.
     Result<void> set_stage(const std::filesystem::path& file);
     Result<void> set_plot(const std::filesystem::path& file);
@@ -69,6 +74,7 @@ private:
     Result<void> edit_each(const QString& what, F&& f);
     template <class F>
     Result<std::vector<std::pair<scene::FixturePlace, scene::FixtureEdit>>> edits_of_each(F&& f) const;
+    QString of_chosen(const QString& what) const; // for the undo list: "Mode of 'Spot 1'"
     std::vector<fixture::Patch> patches() const;
     std::optional<fixture::Address> address_for_new(int footprint) const;
     // The path as the show writes it; a file from elsewhere is copied beside the show.

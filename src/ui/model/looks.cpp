@@ -171,7 +171,8 @@ Result<void> Looks::put_in(scene::StoredLook look) {
         look.fade_s = same->fade_s;
         *same = std::move(look);
     }
-    TRY_VOID(edit(translated("Undo", "store look"), std::move(after)));
+    TRY_VOID(
+        edit(translated("Undo", "Look '%1' stored").arg(QString::fromStdString(name)), std::move(after)));
     last_ = name;
     Q_EMIT changed();
     return {};
@@ -246,7 +247,9 @@ Result<void> Looks::rename(const std::string& name, const std::string& to) {
         return Error{"another look is called '" + to + "'", ""};
     List after = looks_;
     after[index].name = to;
-    TRY_VOID(edit(translated("Undo", "rename look"), std::move(after)));
+    TRY_VOID(edit(translated("Undo", "Look '%1' renamed '%2'")
+                      .arg(QString::fromStdString(name), QString::fromStdString(to)),
+                  std::move(after)));
     if (last_ == name) last_ = to;
     Q_EMIT changed();
     return {};
@@ -263,7 +266,7 @@ Result<void> Looks::remove(const std::string& name) {
     TRY(const std::size_t index, scene::find_look(looks_, name));
     List after = looks_;
     after.erase(after.begin() + static_cast<std::ptrdiff_t>(index));
-    return edit(translated("Undo", "remove look"), std::move(after));
+    return edit(translated("Undo", "Look '%1' removed").arg(QString::fromStdString(name)), std::move(after));
 }
 
 void Looks::rename_fixtures(const std::map<std::string, std::string>& renamed) {

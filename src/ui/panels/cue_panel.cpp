@@ -119,9 +119,8 @@ CuePanel::CuePanel(AppModel& app, CueList& cues, Looks& looks, Actions& actions,
     go_->setMinimumHeight(40);
     back_ = add_button(translated("Cues", "Back"), translated("Cues", "The cue before (Ctrl+Shift+G)"),
                        [] { return QString("cue-back"); });
-    QPushButton* const call =
-        add_button(translated("Cues", "Go to this"), translated("Cues", "The chosen cue"),
-                   [this] { return "cue " + chosen(); });
+    call_ = add_button(translated("Cues", "Go to this"), translated("Cues", "The chosen cue"),
+                       [this] { return "cue " + chosen(); });
     QPushButton* const add =
         add_button(translated("Cues", "Add"),
                    translated("Cues", "A cue of the look that was recalled or stored last, or of this "
@@ -145,7 +144,7 @@ CuePanel::CuePanel(AppModel& app, CueList& cues, Looks& looks, Actions& actions,
     auto* buttons = new QGridLayout;
     buttons->addWidget(go_, 0, 0, 1, 2);
     buttons->addWidget(back_, 0, 2);
-    buttons->addWidget(call, 1, 0);
+    buttons->addWidget(call_, 1, 0);
     buttons->addWidget(add, 1, 1);
     buttons->addWidget(remove_, 1, 2);
     buttons->addWidget(up_, 2, 0);
@@ -229,7 +228,7 @@ void CuePanel::show_next() {
     go_->setEnabled(next < cues.size());
     back_->setEnabled(cues_.current() && *cues_.current() > 0);
     const int row = table_->currentRow();
-    remove_->setEnabled(row >= 0);
+    for (QPushButton* const of_chosen : {call_, remove_}) of_chosen->setEnabled(row >= 0);
     up_->setEnabled(row > 0);
     down_->setEnabled(row >= 0 && row + 1 < table_->rowCount());
 }

@@ -35,7 +35,7 @@ private:
     Actions& actions_;
     QLabel* next_;
     QTableWidget* table_;
-    QPushButton *go_, *back_, *up_, *down_, *remove_;
+    QPushButton *go_, *back_, *call_, *up_, *down_, *remove_;
     QTimer countdown_;
     bool follows_ = false;
 };

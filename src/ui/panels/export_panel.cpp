@@ -75,6 +75,10 @@ ExportPanel::ExportPanel(AppModel& app, Actions& actions, QWidget* parent)
     auto* whole = new QVBoxLayout(this);
     whole->setContentsMargins(0, 0, 0, 0);
     whole->addWidget(scroll);
+    for (QGroupBox* const box : inside->findChildren<QGroupBox*>()) {
+        box->setEnabled(false); // there is nothing to draw
+        connect(&app_, &AppModel::opened_show, box, [box] { box->setEnabled(true); });
+    }
     connect(&app_, &AppModel::opened_show, this, &ExportPanel::name_cameras);
     connect(&app_.jobs(), &Jobs::changed, this, &ExportPanel::show_jobs);
 }

@@ -82,6 +82,9 @@ void LookPanel::add_what_if(QLayout* layout) {
     solo_->setCheckable(true);
     what_if_ = new QLabel(this);
     what_if_->setWordWrap(true);
+    // Always room for two lines, so that what stands above it stays where it is.
+    what_if_->setFixedHeight(2 * what_if_->fontMetrics().lineSpacing());
+    what_if_->setAlignment(Qt::AlignLeft | Qt::AlignVCenter);
     gel_ = new ColourRow(translated("Looks", "Gel"), this);
     gel_->setToolTip(translated("Looks", "A filter in front of the selected fixtures, on top of all else"));
     gel_->on_change = [this](const QColor& colour) { run("gel " + colour.name()); };

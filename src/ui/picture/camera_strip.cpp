@@ -3,6 +3,7 @@
 
 #include "show/show.h"
 #include "ui/language/language.h"
+#include "ui/widgets/following.h"
 
 #include <QPixmap>
 
@@ -32,7 +33,8 @@ QIcon icon_of(const image::Image8& picture) {
 
 } // namespace
 
-CameraStrip::CameraStrip(AppModel& app, Actions& actions, QWidget* parent) : QListWidget(parent), app_(app) {
+CameraStrip::CameraStrip(AppModel& app, Actions& actions, QWidget* parent)
+    : QListWidget(parent), app_(app), actions_(actions) {
     setAccessibleName(translated("Picture", "Cameras"));
     setViewMode(QListView::IconMode);
     setFlow(QListView::LeftToRight);
@@ -45,9 +47,19 @@ CameraStrip::CameraStrip(AppModel& app, Actions& actions, QWidget* parent) : QLi
     setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     setTextElideMode(Qt::ElideRight);
     setFixedHeight(kPicture_px.height() + fontMetrics().height() + 18);
-    setToolTip(translated("Picture", "A click goes there. The pictures are made while nothing moves."));
-    const auto go = [this, &actions](QListWidgetItem* item) {
-        actions.choose(QString("camera %1").arg(row(item) + 1));
+    setToolTip(translated("Picture",
+                          "A click goes there. F2: another name. The pictures are made while nothing "
+                          "moves."));
+    setEditTriggers(QAbstractItemView::EditKeyPressed);
+    connect(this, &QListWidget::itemChanged, this, [this](QListWidgetItem* item) {
+        if (follows_) return;
+        if (item->text() != item->data(Qt::UserRole).toString())
+            actions_.choose(QString("camera-rename %1 ").arg(row(item) + 1) + quoted(item->text()));
+        // What was refused is not left standing; the list is not filled while it tells of a change.
+        QMetaObject::invokeMethod(this, &CameraStrip::list_cameras, Qt::QueuedConnection);
+    });
+    const auto go = [this](QListWidgetItem* item) {
+        actions_.choose(QString("camera %1").arg(row(item) + 1));
     };
     for (const auto signal : {&QListWidget::itemClicked, &QListWidget::itemActivated})
         connect(this, signal, this, go);
@@ -66,10 +78,29 @@ void CameraStrip::hideEvent(QHideEvent* event) {
     app_.change_request([](ViewRequest& request) { request.wants_camera_pictures = false; });
 }
 
+void CameraStrip::fill_menu(QMenu& menu) {
+    if (!currentItem()) return;
+    const QString which = QString::number(currentRow() + 1);
+    const auto add = [&](const QString& text, const QString& line) {
+        connect(menu.addAction(text), &QAction::triggered, this, [this, line] { actions_.choose(line); });
+    };
+    add(translated("Picture", "Go to this"), "camera " + which);
+    menu.addSeparator();
+    connect(menu.addAction(translated("Picture", "Rename")), &QAction::triggered, this,
+            [this, row = currentRow()] {
+                setCurrentRow(row);
+                editItem(currentItem());
+            });
+    add(translated("Picture", "Remove"), "camera-remove " + which);
+}
+
 void CameraStrip::list_cameras() {
+    const Following following(follows_);
     clear();
     for (const scene::Camera& camera : app_.show()->cameras) {
         auto* item = new QListWidgetItem(empty_icon(), QString::fromStdString(camera.name), this);
+        item->setData(Qt::UserRole, item->text());
+        item->setFlags(item->flags() | Qt::ItemIsEditable);
         item->setSizeHint({kPicture_px.width() + 6, kPicture_px.height() + fontMetrics().height() + 8});
     }
     show_pictures();
@@ -77,6 +108,7 @@ void CameraStrip::list_cameras() {
 }
 
 void CameraStrip::show_pictures() {
+    const Following following(follows_);
     for (const NamedPicture& one : app_.camera_pictures())
         for (QListWidgetItem* const item :
              findItems(QString::fromStdString(one.name), Qt::MatchExactly | Qt::MatchCaseSensitive))

@@ -1,12 +1,14 @@
 #pragma once
 // SPDX-License-Identifier: Apache-2.0
-// CameraStrip: the cameras of the show as small pictures with their names; a click goes there. The engine
-// makes the pictures while nothing moves, and only while the strip is seen. Window thread.
+// CameraStrip: the cameras of the show as small pictures with their names; a click goes there, F2 gives
+// another name. The engine makes the pictures while nothing moves, and only while the strip is seen. Window
+// thread.
 
 #include "ui/actions/actions.h"
 #include "ui/model/app_model.h"
 
 #include <QListWidget>
+#include <QMenu>
 
 namespace ghost::ui {
 
@@ -15,6 +17,8 @@ class CameraStrip : public QListWidget {
 public:
     // Clicks run actions.
     CameraStrip(AppModel& app, Actions& actions, QWidget* parent);
+    // Of the current one.
+    void fill_menu(QMenu& menu);
 
 protected:
     void showEvent(QShowEvent*) override;
@@ -26,6 +30,8 @@ private:
     void mark_current();
 
     AppModel& app_;
+    Actions& actions_;
+    bool follows_ = false;
 };
 
 } // namespace ghost::ui

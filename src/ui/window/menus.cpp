@@ -29,7 +29,7 @@ constexpr std::pair<const char*, const char*> kMenus[] = {
      "marks movers - full-screen second-display second-window - @language"},
     {QT_TRANSLATE_NOOP("Menu", "Camera"),
      "camera-1 camera-2 camera-3 camera-4 camera-5 camera-6 camera-7 camera-8 camera-9 - "
-     "camera-strip keep-camera "
+     "camera-strip keep-camera camera-rename camera-remove "
      "focus see-all - brighter darker auto-exposure tone tone-agx tone-aces tone-linear - baked"},
     {QT_TRANSLATE_NOOP("Menu", "Play"),
      "play to-start freeze motion - cue-go cue-back cue-follow - look-next look-before solo - "

@@ -75,6 +75,19 @@ NoticeBar::NoticeBar(Actions& actions, ShowDocument& document, AppModel& app, QW
     });
 }
 
+bool NoticeBar::say_refused(const QString& what) {
+    const bool is_plot_alone = app_.show() && app_.show()->file == app_.show()->plot_file; // was asked
+    if (is_plot_alone && isVisible()) return true;
+    if (document_.waits_for_answer() || says_not_opened_) return false;
+    ask(translated("Notice", "Not done: %1").arg(what), {{translated("Notice", "Close"), ""}}, Kind::fault);
+    says_refused_ = true;
+    return true;
+}
+
+void NoticeBar::forget_refused() {
+    if (std::exchange(says_refused_, false)) hide();
+}
+
 void NoticeBar::say_without_optics() {
     if (isVisible()) return;
     std::size_t dark = 0, assumed = 0;
@@ -145,7 +158,7 @@ void NoticeBar::look_at_messages() {
 void NoticeBar::ask(const QString& words, const std::vector<Answer>& answers, Kind kind) {
     clear();
     words_ = words;
-    says_not_opened_ = says_unseen_ = false;
+    says_not_opened_ = says_unseen_ = says_refused_ = false;
     setStyleSheet(kind == Kind::fault ? "QToolBar { background: #6e2119; }" : "");
     auto* label = new NoticeWords(words, this);
     label->setContentsMargins(8, 0, 8, 0);

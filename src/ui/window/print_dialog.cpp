@@ -20,17 +20,19 @@
 #include <QScreen>
 #include <QScrollArea>
 #include <QScrollBar>
+#include <QStyleOptionComboBox>
 #include <QUrl>
 #include <QVBoxLayout>
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 namespace ghost::ui {
 namespace {
 
 constexpr int kMostPictures = 24, kMostChangesShown = 2;
-constexpr int kLeastLetters = 16;
+constexpr int kLeastLetters = 16, kBesideLetters_px = 8;
 constexpr qsizetype kMostLinesShown = 6;
 constexpr QSize kPreview(240, 135);
 constexpr double kFarthest_m = 10'000; // of a section, as the command takes it
@@ -41,9 +43,44 @@ constexpr std::array<std::pair<const char*, const char*>, 4> kImperialScales{{{"
                                                                               {"1/8\" = 1'-0\"", "1:96"},
                                                                               {"1/16\" = 1'-0\"", "1:192"}}};
 
+// As wide as the longest of what it lists where there is room; less on a small display.
+class Choice : public QComboBox {
+public:
+    using QComboBox::QComboBox;
+    QSize sizeHint() const override {
+        int letters_px = 0;
+        for (int i = 0; i < count(); ++i)
+            letters_px = std::max(letters_px, fontMetrics().horizontalAdvance(itemText(i)));
+        QStyleOptionComboBox option;
+        initStyleOption(&option);
+        const QSize letters(letters_px + kBesideLetters_px, fontMetrics().height());
+        return style()
+            ->sizeFromContents(QStyle::CT_ComboBox, &option, letters, this)
+            .expandedTo(QComboBox::sizeHint());
+    }
+};
+
+// Likewise as wide as what it says while nothing stands in it.
+class Line : public QLineEdit {
+public:
+    using QLineEdit::QLineEdit;
+    QSize sizeHint() const override {
+        const int letters_px = fontMetrics().horizontalAdvance(placeholderText()) + 2 * kBesideLetters_px;
+        return QLineEdit::sizeHint().expandedTo({letters_px, 0});
+    }
+};
+
+class Choices : public QScrollArea {
+public:
+    using QScrollArea::QScrollArea;
+    QSize sizeHint() const override {
+        return widget()->sizeHint() + QSize(verticalScrollBar()->sizeHint().width(), 0);
+    }
+};
+
 QComboBox* choice(const QString& name, std::initializer_list<std::pair<const char*, const char*>> words,
                   QWidget* parent) {
-    auto* box = new QComboBox(parent);
+    auto* box = new Choice(parent);
     box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon); // small displays, long words
     box->setMinimumContentsLength(kLeastLetters);
     for (const auto& [text, option] : words) box->addItem(translated("Print", text), option);
@@ -69,7 +106,7 @@ void put(QPlainTextEdit& lines, const QStringList& sentences) {
 }
 
 // Number and name of an entry, and the first two of its changes.
-QString words_of(const QJsonObject& entry, const QFontMetrics& font) {
+QStringList words_of(const QJsonObject& entry) {
     const QString number = entry["number"].toString();
     QStringList lines{(number.isEmpty() ? "" : number + ". ") + entry["name"].toString()};
     for (const QJsonValue& change : entry["changes"].toArray()) {
@@ -77,13 +114,12 @@ QString words_of(const QJsonObject& entry, const QFontMetrics& font) {
         const QString fixtures = change["fixtures"].toVariant().toStringList().join(", ");
         lines << (fixtures.isEmpty() ? "" : fixtures + ": ") + change["what"].toString();
     }
-    for (QString& line : lines) line = font.elidedText(line, Qt::ElideRight, kPreview.width());
-    return lines.join('\n');
+    return lines;
 }
 
 // As wide as it asks, as high as there is room.
 QScrollArea* scrolled(QWidget* content, QWidget* parent) {
-    auto* area = new QScrollArea(parent);
+    auto* area = new Choices(parent);
     area->setWidget(content);
     area->setWidgetResizable(true);
     area->setFrameShape(QFrame::NoFrame);
@@ -94,18 +130,18 @@ QScrollArea* scrolled(QWidget* content, QWidget* parent) {
 
 } // namespace
 
-void add_print_actions(Actions& actions, AppModel& app, QWidget& window) {
+void add_print_actions(Actions& actions, AppModel& app, ShowDocument& document, QWidget& window) {
     const auto add = [&](const char* name, const QString& text, PrintDialog::What what) {
         actions.add({name,
                      "Show",
                      text,
                      "",
                      "",
-                     [&actions, &app, &window, what, name](const QStringList&) -> Result<void> {
+                     [&actions, &app, &document, &window, what, name](const QStringList&) -> Result<void> {
                          if (!app.show()) return Error{"no show is open", ""};
                          auto* dialog = window.findChild<PrintDialog*>(name);
                          if (!dialog) {
-                             dialog = new PrintDialog(what, app, actions, &window);
+                             dialog = new PrintDialog(what, app, document, actions, &window);
                              dialog->setObjectName(name);
                          }
                          dialog->show();
@@ -118,8 +154,10 @@ void add_print_actions(Actions& actions, AppModel& app, QWidget& window) {
     add("cue-book", translated("Action", "Cue book..."), PrintDialog::What::book);
 }
 
-PrintDialog::PrintDialog(What what, AppModel& app, Actions& actions, QWidget* parent)
-    : QDialog(parent), what_(what), app_(app), actions_(actions) {
+PrintDialog::PrintDialog(What what, AppModel& app, ShowDocument& document, Actions& actions, QWidget* parent)
+    : QDialog(parent), what_(what), app_(app), document_(document), was_changed_(document.is_changed()),
+      actions_(actions) {
+    if (QAction* const save = actions.item("save")) addAction(save);
     setWindowTitle(what == What::paper ? translated("Print", "Paperwork") : translated("Print", "Cue book"));
     // On a small display the choices scroll; the buttons and the progress below them are always seen.
     auto* choices = new QWidget;
@@ -191,6 +229,9 @@ PrintDialog::PrintDialog(What what, AppModel& app, Actions& actions, QWidget* pa
     resize(QSize(1020, 560).boundedTo(screen()->availableSize() - QSize(kFrame, kFrame)));
     connect(&app_, &AppModel::opened_show, this, &PrintDialog::name_show);
     connect(&app_.jobs(), &Jobs::changed, this, &PrintDialog::follow);
+    connect(&document_, &ShowDocument::changed, this, &PrintDialog::hear_of_save);
+    connect(folder_, &QLineEdit::textEdited, said_, &QLabel::clear);
+    connect(folder_, &QLineEdit::textChanged, folder_, &QWidget::setToolTip); // often longer than the line
     name_show();
     follow();
 }
@@ -209,14 +250,14 @@ void PrintDialog::add_paper_choices(QFormLayout& form) {
                      {"Tabloid", "Tabloid"},
                      {"Arch D", "ArchD"}},
                     this);
-    section_ = new QLineEdit(this);
+    section_ = new Line(this);
     section_->setAccessibleName(translated("Print", "Where the section is cut"));
     section_->setPlaceholderText(translated("Print", "x in metres; empty: not cut"));
     auto* numbers = new QDoubleValidator(-kFarthest_m, kFarthest_m, 3, section_);
     numbers->setLocale(QLocale::c());
     numbers->setNotation(QDoubleValidator::StandardNotation);
     section_->setValidator(numbers);
-    date_ = new QLineEdit(this);
+    date_ = new Line(this);
     date_->setAccessibleName(translated("Print", "Date in the title block"));
     date_->setPlaceholderText(translated("Print", "printed as it is"));
     moment_ = choice(translated("Print", "Moment of the focus charts"), {}, this);
@@ -275,7 +316,7 @@ void PrintDialog::add_book_choices(QFormLayout& form) {
                        {QT_TRANSLATE_NOOP("Print", "Where the recording rests"), "--find"},
                        {QT_TRANSLATE_NOOP("Print", "Marks in a CSV file"), "--marks"}},
                       this);
-    marks_ = new QLineEdit(this);
+    marks_ = new Line(this);
     marks_->setAccessibleName(translated("Print", "File of the marks"));
     marks_->setPlaceholderText(translated("Print", "time, number, name, note"));
     auto* choose = new QPushButton(translated("Print", "Choose..."), this);
@@ -301,7 +342,7 @@ void PrintDialog::add_book_choices(QFormLayout& form) {
                      {{QT_TRANSLATE_NOOP("Print", "Four on a page, with what changes"), "list"},
                       {QT_TRANSLATE_NOOP("Print", "Twelve on a page"), "grid"}},
                      this);
-    against_ = new QLineEdit(this);
+    against_ = new Line(this);
     against_->setAccessibleName(translated("Print", "An older show, plot or book to compare with"));
     against_->setPlaceholderText(translated("Print", "an older show, plot or book"));
     form.addRow(translated("Print", "Entries"), entries_);
@@ -413,6 +454,13 @@ void PrintDialog::forget_result() {
     for (QPlainTextEdit* const lines : {unknown_, remarks_}) put(*lines, {});
 }
 
+// What was said of a show that is not saved does not hold any more.
+void PrintDialog::hear_of_save() {
+    if (!std::exchange(was_changed_, document_.is_changed()) || was_changed_ || !make_->isEnabled()) return;
+    said_->setText(
+        translated("Notice", "Saved: %1").arg(QString::fromStdString(app_.show()->file.filename().string())));
+}
+
 void PrintDialog::make() {
     forget_result();
     if (folder_->text().trimmed().isEmpty()) {
@@ -508,8 +556,12 @@ void PrintDialog::show_pictures() {
         const QString file = entry["pictures"].toArray().first().toObject()["file"].toString();
         QImageReader reader(QDir(made_).filePath(file));
         reader.setScaledSize(reader.size().scaled(kPreview, Qt::KeepAspectRatio));
-        pictures_->addItem(new QListWidgetItem(QIcon(QPixmap::fromImage(reader.read())),
-                                               words_of(entry.toObject(), pictures_->fontMetrics())));
+        QStringList words = words_of(entry.toObject());
+        auto* const item = new QListWidgetItem(QIcon(QPixmap::fromImage(reader.read())), "", pictures_);
+        item->setToolTip(words.join('\n')); // what is shortened below the picture
+        for (QString& line : words)
+            line = pictures_->fontMetrics().elidedText(line, Qt::ElideRight, kPreview.width());
+        item->setText(words.join('\n'));
     }
 }
 

@@ -3,6 +3,7 @@
 
 #include "show/show.h"
 #include "ui/actions/aiming.h"
+#include "ui/actions/can_do.h"
 #include "ui/actions/export_actions.h"
 #include "ui/actions/fan_actions.h"
 #include "ui/actions/hang_edit.h"
@@ -14,8 +15,6 @@
 #include "ui/actions/show_actions.h"
 #include "ui/actions/tone_actions.h"
 #include "ui/language/language.h"
-#include "ui/model/fixture_groups.h"
-#include "ui/model/shortened.h"
 #include "ui/panels/air_panel.h"
 #include "ui/panels/browser_panel.h"
 #include "ui/panels/cue_panel.h"
@@ -41,6 +40,7 @@
 #include "ui/window/private/panel_rail.h"
 #include "ui/window/private/plot_actions.h"
 #include "ui/window/private/print_dialog.h"
+#include "ui/window/private/tear_off.h"
 #include "ui/window/private/welcome.h"
 
 #include <QApplication>
@@ -65,15 +65,6 @@ constexpr int kLayoutVersion = 3;        // another number: a layout of an older
 constexpr int kTwoColumnsFrom_px = 2200; // of the window; a narrower one has all panels at its left
 constexpr double kDemoBegins_s = 55;     // its first eight seconds are dark
 
-QString words_of_desk(const std::vector<dmx::Universe>& universes) {
-    const auto silent =
-        std::count_if(universes.begin(), universes.end(), [](const dmx::Universe& one) { return one.lost; });
-    const auto all = static_cast<std::ptrdiff_t>(universes.size());
-    if (silent == all) return translated("Notice", "A desk that is silent: %n universe(s)", nullptr, all);
-    const QString words = translated("Notice", "A desk: %n universe(s)", nullptr, all);
-    return silent == 0 ? words : words + translated("Notice", ", %n of them silent", nullptr, silent);
-}
-
 } // namespace
 
 Window::Window(Link& link, const WindowOptions& options)
@@ -95,8 +86,18 @@ Window::Window(Link& link, const WindowOptions& options)
     statusBar()->addPermanentWidget(status_jobs_);
     statusBar()->addPermanentWidget(status_supply_);
     statusBar()->addPermanentWidget(status_device_);
-    actions_.complain = [this](const Error& error) { say(QString::fromStdString(error.text()), 8000); };
+    actions_.complain = [this](const Error& error) { say_refused(error, is_edit(error.where)); };
+    const auto edit_refused = [this](const Error& error) { say_refused(error, true); };
+    actions_.ask_word = [this](const QString& what, const QString& value,
+                               std::function<Result<void>(const QString&)> done) {
+        toast_->ask(what, value, [done = std::move(done)](const QString& word) {
+            const Result<void> taken = done(word);
+            return taken.ok() ? QString() : said(taken.error().what);
+        });
+    };
     cues_.complain = actions_.complain;
+    connect(&app_.undo_stack(), &QUndoStack::undoTextChanged, this, &Window::name_steps);
+    connect(&app_.undo_stack(), &QUndoStack::redoTextChanged, this, &Window::name_steps);
     rail_ = new PanelRail(*this);
     add_panels();
     add_strip();
@@ -113,7 +114,7 @@ Window::Window(Link& link, const WindowOptions& options)
     add_fan_actions(actions_, app_);
     add_palette_actions(actions_, palettes_);
     add_export_actions(actions_, app_, exporter_);
-    add_print_actions(actions_, app_, *this);
+    add_print_actions(actions_, app_, document_, *this);
     add_patch_actions(actions_, app_, document_);
     add_hang_action(actions_, app_, document_);
     auto* aiming = new Aiming(app_, actions_, this);
@@ -121,13 +122,13 @@ Window::Window(Link& link, const WindowOptions& options)
     view_->on_aim = [this, aiming](const glm::vec2& place) {
         if (const auto done = aiming->aim_through(place); !done.ok()) actions_.complain(done.error());
     };
-    view_->on_move = [this](const glm::vec3& by_m) {
+    view_->on_move = [this, edit_refused](const glm::vec3& by_m) {
         if (const auto done = PatchEdit(app_, document_).move_by(by_m); !done.ok())
-            actions_.complain(done.error());
+            edit_refused(done.error());
     };
-    view_->on_move_object = [this](std::size_t object, const glm::vec3& by_m) {
+    view_->on_move_object = [this, edit_refused](std::size_t object, const glm::vec3& by_m) {
         if (const auto done = move_object(app_, document_, object, by_m); !done.ok())
-            actions_.complain(done.error());
+            edit_refused(done.error());
     };
     add_object_actions(actions_, app_, document_);
     auto* hiding = new Hiding(app_, actions_, this);
@@ -140,7 +141,7 @@ Window::Window(Link& link, const WindowOptions& options)
     add_selection_actions(actions_, app_);
     add_plot_actions(actions_, app_, document_, plot_report_);
     add_rdm_action(actions_, *rdm_);
-    rdm_->complain = actions_.complain;
+    rdm_->complain = edit_refused;
     rdm_->on_done = [this](const QString& what) { toast_->say(what, [this] { actions_.choose("undo"); }); };
     rdm_->set_access(options_.rdm);
     connect(&plot_report_, &PlotReport::changed, this, &Window::show_plot_page);
@@ -150,12 +151,17 @@ Window::Window(Link& link, const WindowOptions& options)
     auto* context_menus = new ContextMenus(menus_, app_, view_);
     context_menus->serve_fixtures(fixtures_->table());
     context_menus->serve(look_list_->list(), [this](QMenu& menu) { look_list_->fill_menu(menu); });
+    auto* const strip = strip_->findChild<CameraStrip*>();
+    context_menus->serve(strip, [strip](QMenu& menu) { strip->fill_menu(menu); });
     context_menus->serve(cue_table_->table(), [this](QMenu& menu) { cue_table_->fill_menu(menu); });
     PaletteBox& palettes = programmer_->palettes();
     context_menus->serve(palettes.list(), [&palettes](QMenu& menu) { palettes.fill_menu(menu); });
     connect(&app_.undo_stack(), &QUndoStack::indexChanged, this, [this] { ++steps_; });
     actions_.count_steps = [this] { return steps_; };
-    actions_.on_done = [this](const Action& action, bool made_step) { say_done(action, made_step); };
+    actions_.on_done = [this](const Action& action, bool made_step) {
+        if (notice_) notice_->forget_refused();
+        say_done(action, made_step);
+    };
     connect(&app_, &AppModel::look_changed, this, &Window::say_hand_taken);
     transport_ = new QToolBar(translated("Panel", "Transport"), this);
     transport_->setObjectName("transport");
@@ -167,14 +173,12 @@ Window::Window(Link& link, const WindowOptions& options)
     strip_->hide();
     notice_ = new NoticeBar(actions_, document_, app_, this);
     addToolBar(Qt::TopToolBarArea, notice_);
-    fixtures_->complain = actions_.complain;
-    connect(&document_, &ShowDocument::changed, this, [this] { setWindowModified(document_.is_changed()); });
+    fixtures_->complain = edit_refused;
+    connect(&document_, &ShowDocument::changed, this, &Window::show_title);
     connect(&document_, &ShowDocument::fixtures_renamed, &looks_, &Looks::rename_fixtures);
     connect(&app_, &AppModel::opened_show, this, &Window::name_cameras);
     connect(&app_, &AppModel::opened_show, this, [this] {
-        setWindowTitle(QString::fromStdString(app_.show()->name.empty() ? app_.show()->file.string()
-                                                                        : app_.show()->name) +
-                       "[*] - Ghostlight");
+        show_title();
         if (app_.opened().is_edit) return;
         plot_is_new_ = !app_.opened().again && !app_.show()->plot_file.empty();
         rail_->wait_for_show(false);
@@ -257,6 +261,7 @@ Window::Window(Link& link, const WindowOptions& options)
 
 // Qt closes a window that goes, and its panels would speak to what went before them.
 Window::~Window() {
+    app_.undo_stack().disconnect(this); // it tells of its end
     delete rail_;
     strip_->disconnect(this);
     delete strip_; // while there are panels: it says that it goes
@@ -271,7 +276,15 @@ QDockWidget* Window::add_panel(const QString& name, const QString& title, QWidge
                                Qt::DockWidgetArea area) {
     auto* dock = new QDockWidget(title, this);
     dock->setObjectName(name); // the layout is remembered by it
-    dock->setWidget(new PanelArea(panel, dock));
+    auto* const holder = new PanelArea(panel, dock);
+    dock->setWidget(holder);
+    // What needs a show waits for one. Network and messages do not, and jobs have their Cancel in Export.
+    if (static const std::set<QString> kNeedNoShow{"network", "messages", "browsers", "export"};
+        !kNeedNoShow.contains(name)) {
+        holder->setEnabled(false);
+        connect(&app_, &AppModel::opened_show, holder, [holder] { holder->setEnabled(true); });
+    }
+    new TearOff(*dock);
     addDockWidget(area, dock);
     docks_.push_back(dock);
     rail_->add(*dock);
@@ -320,14 +333,14 @@ void Window::add_panels() {
                                      new ExportPanel(app_, actions_, this), Qt::RightDockWidgetArea);
     tabifyDockWidget(looks, exports);
     auto* air_panel = new AirPanel(app_, document_, actions_, this);
-    air_panel->complain = actions_.complain;
+    air_panel->complain = [this](const Error& error) { say_refused(error, true); };
     QDockWidget* air = add_panel("air", translated("Panel", "Air"), air_panel, Qt::RightDockWidgetArea);
     tabifyDockWidget(exports, air);
     connect(scene_panel, &ScenePanel::asks_for_air, this, [this] { actions_.choose("panel-air on"); });
     connect(scene_panel, &ScenePanel::asks_for, this, [this](const QString& line) { actions_.choose(line); });
     connect(scene_panel, &ScenePanel::asks_to_hang, this, [this](std::size_t object) {
         if (const Result<void> done = hang_under(app_, document_, object); !done.ok())
-            actions_.complain(done.error());
+            say_refused(done.error(), true);
     });
     cue_table_ = new CuePanel(app_, cues_, looks_, actions_, this);
     QDockWidget* cues = add_panel("cues", translated("Panel", "Cues"), cue_table_, Qt::RightDockWidgetArea);
@@ -353,7 +366,8 @@ void Window::add_panels() {
     // Where the window manager draws the title of a torn-off panel, nothing on it puts it back.
     actions_.add({"panels-dock", "Panels", translated("Action", "Put torn-off panels back"), "", "",
                   [this](const QStringList&) -> Result<void> {
-                      for (QDockWidget* const dock : docks_) dock->setFloating(false);
+                      for (QDockWidget* const dock : docks_)
+                          if (dock->isFloating()) dock->setFloating(false); // TearOff brings it to the front
                       return {};
                   }});
 }
@@ -423,38 +437,6 @@ void Window::begin_where_there_is_light() {
         });
 }
 
-// What else would show nothing.
-void Window::say_done(const Action& action, bool made_step) {
-    static const std::set<QString> kSays{
-        "keep-camera",   "hang",           "duplicate", "remove",        "unpatch",         "distribute",
-        "add-fixture",   "add-model",      "set-stage", "substitute",    "substitute-same", "move-object",
-        "palette-store", "palette-remove", "cue-add",   "fly-on-hoists", "mover-address"};
-    if (action.name == "save")
-        toast_->say(translated("Notice", "Saved: %1")
-                        .arg(QString::fromStdString(app_.show()->file.filename().string())));
-    else if (made_step && kSays.contains(action.name))
-        toast_->say(app_.undo_stack().undoText(), [this] { actions_.choose("undo"); });
-}
-
-void Window::say_hand_taken() {
-    const std::size_t count = app_.look().fixtures.size();
-    const bool has_hand = count > 0;
-    if (has_hand && !had_hand_ && !app_.fades()) {
-        const auto dark =
-            std::count_if(app_.look().fixtures.begin(), app_.look().fixtures.end(), [this](const auto& one) {
-                return one.first < app_.show()->fixtures.size() &&
-                       !can_shine(app_.show()->fixtures[one.first]);
-            });
-        QString words = words_of(app_.look());
-        if (dark > 0)
-            words = translated("Notice", "%1, of which %2 have no optics and stay dark").arg(words).arg(dark);
-        toast_->say(
-            translated("Notice", "By hand now: %1. R gives back what is selected, Shift+R all").arg(words),
-            [this] { actions_.choose("undo"); });
-    }
-    had_hand_ = has_hand;
-}
-
 // By itself where something is lost, dark or guessed that a designer should know of; in its place among the
 // panels, so that the picture keeps its own.
 void Window::show_plot_page() {
@@ -472,47 +454,6 @@ void Window::name_cameras() {
         if (number <= cameras.size()) item->setText(QString::fromStdString(cameras[number - 1].name));
     }
     status_device_->setText(QString::fromStdString(app_.opened().device));
-}
-
-void Window::show_status() {
-    const RigNow& rig = app_.rig();
-    const bool listens = options_.takes_desk;
-    QString text;
-    if (rig.from_desk)
-        text = rig.universes.list.empty()
-                   ? (listens ? translated("Notice", "Listening for a desk: nothing has come yet")
-                              : translated("Notice", "No input: started with --no-desk"))
-                   : words_of_desk(rig.universes.list);
-    else if (rig.recording_s <= 0)
-        text = app_.request().input == Input::recording
-                   ? translated("Notice", "No recording: the show has none; a desk is not taken (Play menu)")
-               : listens ? translated("Notice",
-                                      "No recording; a desk that sends sACN or Art-Net takes over by itself")
-                         : translated("Notice", "No recording, and no desk: started with --no-desk");
-    else
-        text = translated("Notice", "Recording, %1 of %2 s")
-                   .arg(rig.at_s, 0, 'f', 1)
-                   .arg(rig.recording_s, 0, 'f', 1);
-    if (!rig.timecode.empty()) text += "; " + said(rig.timecode);
-    if (rig.recorded_s >= 0)
-        text += "; " + translated("Notice", "RECORDING, %1 s").arg(rig.recorded_s, 0, 'f', 1);
-    status_input_->setText(text);
-}
-
-void Window::show_jobs() {
-    QString words;
-    for (const Job& job : app_.jobs().all())
-        if (job.state == Job::State::runs)
-            words = QString("%1: %2 %").arg(job.title).arg(static_cast<int>(100 * job.share)) +
-                    (job.left.isEmpty() ? QString() : translated("Jobs", ", %1 left").arg(job.left));
-    status_jobs_->setText(words);
-}
-
-void Window::say(const QString& words, int for_ms) {
-    const QString what = said(words);
-    const int room_px = status_jobs_->x(); // what always stands there begins there
-    statusBar()->showMessage(shortened(what, room_px / fontMetrics().averageCharWidth()), for_ms);
-    statusBar()->setToolTip(what);
 }
 
 void Window::closeEvent(QCloseEvent* event) {

@@ -68,6 +68,10 @@ private:
     void begin_where_there_is_light();
     void say_done(const Action& action, bool made_step);
     void say_hand_taken();
+    // Over the picture, too, where it was an edit.
+    void say_refused(const Error& error, bool is_of_edit);
+    void show_title();
+    void name_steps();
     void name_cameras();
     void show_plot_page();
     void show_status();

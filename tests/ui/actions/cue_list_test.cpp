@@ -58,6 +58,36 @@ TEST(CueList, go_recalls_the_look_and_what_follows_goes_by_itself) {
     EXPECT_EQ(desk.cues.current(), 0u);
 }
 
+TEST(CueList, who_goes_back_or_to_a_cue_by_hand_stands_there) {
+    CueDesk desk;
+    ASSERT_TRUE(desk.cues.go().ok());
+    ASSERT_TRUE(desk.cues.go().ok());
+    ASSERT_TRUE(desk.cues.back().ok());
+    EXPECT_LT(desk.cues.follows_in_s(), 0);
+    wait_ms(600); // the cue follows after 0.3 s
+    EXPECT_EQ(desk.cues.current(), 0u) << "it followed again";
+    ASSERT_TRUE(desk.cues.call(0).ok());
+    wait_ms(600);
+    EXPECT_EQ(desk.cues.current(), 0u) << "a cue that was chosen followed";
+    ASSERT_TRUE(desk.cues.go().ok()) << "go goes on from there";
+    EXPECT_EQ(desk.cues.current(), 1u);
+}
+
+// Going back while the next one is about to come by itself: it does not come.
+TEST(CueList, back_ends_what_was_about_to_follow) {
+    CueDesk desk;
+    ASSERT_TRUE(desk.cues.set(1, "follow", "0.3").ok());
+    desk.follow();
+    ASSERT_TRUE(desk.cues.add("Last", "Blue").ok());
+    desk.follow();
+    ASSERT_TRUE(desk.cues.go().ok());
+    ASSERT_TRUE(desk.cues.go().ok());
+    EXPECT_GE(desk.cues.follows_in_s(), 0);
+    ASSERT_TRUE(desk.cues.back().ok());
+    wait_ms(600);
+    EXPECT_EQ(desk.cues.current(), 0u);
+}
+
 TEST(CueList, edits_keep_comments_and_are_undone_to_the_same_bytes) {
     CueDesk desk;
     const std::string before = desk.document.text();

@@ -193,7 +193,7 @@ TEST(ContextMenu, over_the_picture_heads_are_aimed_at_its_place_and_what_is_ther
     in.meet(true, std::nullopt, "Wall");
     EXPECT_EQ(in.window.app().look().shown, (std::map<std::size_t, bool>{{1, false}}));
     EXPECT_EQ(in.toast(), "'Wall' hidden");
-    in.window.findChild<Toast*>()->findChild<QToolButton*>()->click();
+    in.window.findChild<Toast*>()->findChild<QToolButton*>("undo")->click();
     EXPECT_TRUE(in.window.app().look().is_empty());
     in.choose_at(low, "Hide what is here");
     in.meet(true, 2, "Lamp 3");
@@ -433,7 +433,7 @@ TEST(Toast, what_shows_nothing_else_is_said_with_a_way_back) {
     EXPECT_EQ(in.error_of("select \"Lamp 1\""), "");
     EXPECT_EQ(in.error_of("intensity 0.5"), "");
     EXPECT_TRUE(in.toast().contains("By hand now: 1 fixture")) << in.toast().toStdString();
-    auto* const undo = in.window.findChild<Toast*>()->findChild<QToolButton*>();
+    auto* const undo = in.window.findChild<Toast*>()->findChild<QToolButton*>("undo");
     ASSERT_TRUE(undo->isVisible());
     undo->click();
     EXPECT_TRUE(in.window.app().look().is_empty());

@@ -9,6 +9,8 @@
 #include "ui/window/window.h"
 
 #include <QDir>
+#include <QLabel>
+#include <QStyleOptionComboBox>
 #include <QTemporaryDir>
 
 namespace ghost::ui {
@@ -160,6 +162,60 @@ TEST(PrintDialog, says_in_plain_words_that_no_folder_is_named) {
     for (const QLabel* const label : paper.findChildren<QLabel*>()) said << label->text();
     EXPECT_TRUE(said.contains("Say in which folder it is to lie."));
     EXPECT_TRUE(in.window.app().jobs().all().empty());
+}
+
+// What was said of a show that is not saved does not outlive its saving, which works from there.
+TEST(PrintDialog, ctrl_s_saves_the_show_and_what_was_said_of_it_goes) {
+    Printing in;
+    const std::filesystem::path file = std::filesystem::path(in.place.path().toStdString()) / "show.toml";
+    ASSERT_TRUE(write_file_atomic(file, "[show]\n[[camera]]\nname = \"front\"\n").ok());
+    in.open(file.c_str());
+    PrintDialog& book = in.dialog("cue-book");
+    const auto says = [&](const QString& words) {
+        const auto labels = book.findChildren<QLabel*>();
+        return std::any_of(labels.begin(), labels.end(),
+                           [&](const QLabel* one) { return one->text().contains(words); });
+    };
+    ASSERT_TRUE(in.window.actions().run("clouds 0.5").ok());
+    for (QPushButton* const button : book.findChildren<QPushButton*>())
+        if (button->text() == "Make") button->click();
+    ASSERT_TRUE(says("save the show first"));
+    QAction* const save = in.window.actions().item("save");
+    ASSERT_TRUE(book.actions().contains(save)) << "Ctrl+S is dead there";
+    save->trigger();
+    settle();
+    EXPECT_FALSE(says("save the show first"));
+    EXPECT_TRUE(says("Saved: show.toml"));
+    EXPECT_NE(read_text_file(file, 1 << 16)->find("[haze]"), std::string::npos);
+}
+
+TEST(PrintDialog, nothing_in_it_is_cut) {
+    for (const char* const words : {"en", "de"}) {
+        set_language(words);
+        Printing in;
+        for (const char* const name : {"paperwork", "cue-book"}) {
+            PrintDialog& dialog = in.dialog(name);
+            settle();
+            for (const QComboBox* const box : dialog.findChildren<QComboBox*>()) {
+                if (!box->isVisible()) continue;
+                int wide = 0;
+                for (int i = 0; i < box->count(); ++i)
+                    wide = std::max(wide, box->fontMetrics().horizontalAdvance(box->itemText(i)));
+                QStyleOptionComboBox option;
+                option.initFrom(box);
+                const QRect room = box->style()->subControlRect(QStyle::CC_ComboBox, &option,
+                                                                QStyle::SC_ComboBoxEditField, box);
+                EXPECT_LE(wide, room.width())
+                    << words << " " << name << " " << box->accessibleName().toStdString();
+            }
+            for (const QLineEdit* const line : dialog.findChildren<QLineEdit*>()) {
+                if (!line->isVisible() || line->placeholderText().isEmpty()) continue;
+                EXPECT_LE(line->fontMetrics().horizontalAdvance(line->placeholderText()) + 8, line->width())
+                    << words << " " << name << " " << line->placeholderText().toStdString();
+            }
+        }
+    }
+    set_language("en");
 }
 
 // 1366x768 at twice the size, less a frame and a title.

@@ -17,6 +17,9 @@ class NoticeBar : public QToolBar {
     Q_OBJECT
 public:
     NoticeBar(Actions& actions, ShowDocument& document, AppModel& app, QWidget* parent);
+    // What was refused, until something is done or it is closed. False: something else waits for an answer.
+    bool say_refused(const QString& what);
+    void forget_refused();
     QString words() const { return isVisible() ? words_ : QString(); }
 
 private:
@@ -37,8 +40,7 @@ private:
     ShowDocument& document_;
     AppModel& app_;
     QString words_;
-    bool says_not_opened_ = false;
-    bool says_unseen_ = false;
+    bool says_not_opened_ = false, says_unseen_ = false, says_refused_ = false;
     std::set<std::string> errors_; // of the show that was open, without their lines, which move
 };
 

@@ -5,6 +5,7 @@
 
 #include "ui/actions/actions.h"
 #include "ui/model/app_model.h"
+#include "ui/model/show_document.h"
 #include "ui/window/private/print_preview.h"
 
 #include <QCheckBox>
@@ -22,13 +23,14 @@
 namespace ghost::ui {
 
 // "paperwork", "cue-book": they open it.
-void add_print_actions(Actions& actions, AppModel& app, QWidget& window);
+void add_print_actions(Actions& actions, AppModel& app, ShowDocument& document, QWidget& window);
 
 class PrintDialog : public QDialog {
     Q_OBJECT
 public:
     enum class What { paper, book };
-    PrintDialog(What what, AppModel& app, Actions& actions, QWidget* parent);
+    // Its Ctrl+S saves the show, as everywhere: a job reads the show file.
+    PrintDialog(What what, AppModel& app, ShowDocument& document, Actions& actions, QWidget* parent);
 
     QString options() const; // of the command, as a script line has them
 
@@ -42,6 +44,7 @@ private:
     void name_show();
     void make();
     void forget_result();
+    void hear_of_save();
     void follow();
     void show_result();
     void show_table();
@@ -49,6 +52,8 @@ private:
 
     What what_;
     AppModel& app_;
+    ShowDocument& document_;
+    bool was_changed_; // the show was not saved
     Actions& actions_;
     int job_ = 0; // that runs, or was the last; 0: none
     bool is_shown_ = false;
