@@ -14,6 +14,7 @@ namespace ghost::app {
 namespace {
 
 constexpr int kMostPixels = 8192;
+constexpr double kPart_s = 0.01, kLandingPart_s = 0.04; // of a picture, for the next one's stage
 constexpr float kWork_lux = 100;
 constexpr float kWorkAtEv0_lux = 5; // stages are dark: makes what reflects a twelfth middle grey
 
@@ -60,10 +61,7 @@ LivePicture::Drawn LivePicture::draw(Session& session, const Wanted& wanted, con
         flew_s_ = now_s;
         drawn.changed = true;
     }
-    // What was left out goes into the picture when the camera has come to rest.
-    const bool flies = now_s - flew_s_ < kRest_s;
-    const bool lands = flies != std::exchange(flies_, flies);
-    sees_else_ = sees_else_ || lands;
+    const bool flew = std::exchange(flies_, now_s - flew_s_ < kRest_s);
     const bool moves = wanted.moves || drawn.changed;
     fit_into_memory(wanted.camera, session);
     scene::Camera camera = camera_for(wanted, moves);
@@ -73,22 +71,25 @@ LivePicture::Drawn LivePicture::draw(Session& session, const Wanted& wanted, con
     }
     bool uses_coarse =
         moves && wanted.quality.percent == 0 && pace().level().coarse_light && !wanted.is_measured;
-    // A better level, whose stage takes a second to draw, comes when that is done, a part in each picture.
-    // Not after a flight, whose picture nobody wants to see for longer.
-    const bool grows = moves && !flies && !lands && is_larger(camera, from_);
-    was_prepared_ = was_prepared_ && grows;
-    const bool waits = grows && !prepare_part(camera, session);
+    // A better level, and what was left out of a flight, come when the stage is drawn, which takes a second:
+    // a part in each picture, of which those after a flight are larger.
+    const bool lands = flew && !flies_;
+    const bool gains = moves && !flies_ && (lands || is_larger(camera, from_));
+    was_prepared_ = was_prepared_ && gains;
+    const bool waits = gains && !prepare_part(camera, lands ? kLandingPart_s : kPart_s, session);
     if (waits) {
         camera.width = from_.width;
         camera.height = from_.height;
         uses_coarse = session.relighter->is_coarse();
+        flies_ = flew;
     }
+    sees_else_ = sees_else_ || flies_ != flew;
     const bool is_other_size =
         camera.width != session.relighter->width() || camera.height != session.relighter->height();
-    is_unusual_ = waits || lands || is_other_size || uses_coarse != session.relighter->is_coarse();
+    is_unusual_ = waits || flies_ != flew || is_other_size || uses_coarse != session.relighter->is_coarse();
     if (std::exchange(sees_else_, false) || !same_view(camera, from_)) {
         if (is_other_size) probe_.forget_meter();
-        session.look_from(camera, flies, uses_coarse);
+        session.look_from(camera, flies_, uses_coarse);
         session.relighter->set_exposure(wanted.camera.ev100, wanted.camera.auto_exposure);
         from_ = camera;
     }
@@ -102,10 +103,9 @@ LivePicture::Drawn LivePicture::draw(Session& session, const Wanted& wanted, con
     return drawn;
 }
 
-bool LivePicture::prepare_part(const scene::Camera& camera, Session& session) {
-    constexpr double kPart_s = 0.01;
+bool LivePicture::prepare_part(const scene::Camera& camera, double part_s, Session& session) {
     const double begin_s = steady_now_s();
-    const bool is_done = session.prepare(camera, [&] { return steady_now_s() - begin_s > kPart_s; });
+    const bool is_done = session.prepare(camera, [&] { return steady_now_s() - begin_s > part_s; });
     // The last part takes long enough for one picture.
     return std::exchange(was_prepared_, is_done) && is_done;
 }

@@ -67,7 +67,8 @@ public:
 
 private:
     bool set_work_light(const Wanted& wanted, const Session& session);
-    bool prepare_part(const scene::Camera& camera, Session& session); // true: all of it was done before
+    // True: all of it was done before.
+    bool prepare_part(const scene::Camera& camera, double part_s, Session& session);
     void fit_into_memory(const scene::Camera& wanted, Session& session);
     scene::Camera camera_for(const Wanted& wanted, bool moves) const;
     int lights_in(double frame_ms) const;

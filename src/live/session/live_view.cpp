@@ -76,7 +76,7 @@ Result<scene::DistanceMaps> make_maps(const scene::Show& show, const scene::Stag
     return maps;
 }
 
-bool fits(const std::unique_ptr<render::GBuffer>& one, const scene::Camera& camera) {
+bool has_size(const std::unique_ptr<render::GBuffer>& one, const scene::Camera& camera) {
     return one && one->fragments().width == static_cast<std::uint32_t>(camera.width) &&
            one->fragments().height == static_cast<std::uint32_t>(camera.height);
 }
@@ -246,15 +246,18 @@ render::Surroundings LiveView::surroundings() const {
     return {air_.ambient, seen, work_lux_};
 }
 
-LiveView::Seen LiveView::look_from(const scene::Camera& camera, bool parks, bool flies) {
+LiveView::Seen LiveView::look_from(const scene::Camera& camera, bool parks, bool flies, bool splits) {
+    const auto fits = [&](const std::unique_ptr<render::GBuffer>& one) {
+        return has_size(one, camera) && (!splits || one->pose().single == flies);
+    };
     camera_ = camera;
     bool is_anew = false;
-    if (!fits(g_buffer_, camera)) {
+    if (!fits(g_buffer_)) {
         std::swap(g_buffer_, parked_);
         if (!parks) parked_.reset();
         is_anew = std::exchange(parked_is_anew_, false);
     }
-    if (!fits(g_buffer_, camera)) {
+    if (!fits(g_buffer_)) {
         g_buffer_.reset();
         g_buffer_ = std::make_unique<render::GBuffer>(device_, camera.width, camera.height);
     }
@@ -267,8 +270,8 @@ LiveView::Seen LiveView::look_from(const scene::Camera& camera, bool parks, bool
 }
 
 bool LiveView::prepare(const scene::Camera& camera, const std::function<bool()>& stop) {
-    CHECK(!fits(g_buffer_, camera));
-    if (!fits(parked_, camera)) {
+    CHECK(!has_size(g_buffer_, camera) || g_buffer_->pose().single);
+    if (!has_size(parked_, camera) || parked_->pose().single) {
         parked_.reset();
         parked_ = std::make_unique<render::GBuffer>(device_, camera.width, camera.height);
     }

@@ -50,11 +50,12 @@ public:
     enum class Seen { anew, where_it_changed };
     // A picture of another size has another G-buffer. parks: the one before is kept, for the next picture of
     // its size; else it goes first, for memory may not hold both.
-    // flies: the next one will be from elsewhere, so the stage may be drawn in less detail.
-    Seen look_from(const scene::Camera& camera, bool parks = false, bool flies = false);
-    // Draws the G-buffer of a picture of another size, which takes the place of the parked one, so that
-    // look_from need not; what is shown stays. False: stop ended it (GBuffer::draw), and the next one goes
-    // on.
+    // flies: the next one will be from elsewhere, so the stage may be drawn in less detail. splits: then it
+    // has a G-buffer of its own, as one of another size has.
+    Seen look_from(const scene::Camera& camera, bool parks = false, bool flies = false, bool splits = false);
+    // Draws the G-buffer of a picture of another size, or after a flight that has its own, which takes the
+    // place of the parked one, so that look_from need not; what is shown stays. False: stop ended it
+    // (GBuffer::draw), and the next one goes on.
     bool prepare(const scene::Camera& camera, const std::function<bool()>& stop);
     // Another G-buffer from there, with less detail; what is shown stays. False: stop ended it.
     bool draw_beside(const scene::Camera& camera, render::GBuffer& into,

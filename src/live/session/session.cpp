@@ -248,12 +248,17 @@ bool Session::parks(const scene::Camera& from) const {
     return options.parks && device->memory().left_bytes() > 2 * kPictureBytesPerPixel * pixels + kSpareToPark;
 }
 
+bool Session::is_another(const scene::Camera& from, bool goes_on) const {
+    return !has_size(relighter, from) || (options.parks && splits_flights && flies != goes_on);
+}
+
 bool Session::prepare(const scene::Camera& from, const std::function<bool()>& stop) {
-    if (!live || !relighter || has_size(relighter, from)) return true;
-    if (!has_size(parked, from)) {
+    if (!live || !relighter || !is_another(from, false)) return true;
+    if (!has_size(parked, from) || parked_flies) {
         parked.reset();
         parked_other_light.reset();
-        if (!parks(from)) return true;
+        splits_flights = parks(from);
+        if (!splits_flights) return true;
     }
     live->set_atmosphere(atmosphere());
     return live->prepare(from, stop);
@@ -264,14 +269,14 @@ void Session::look_from(const scene::Camera& from, bool goes_on) {
 }
 
 void Session::look_from(const scene::Camera& from, bool goes_on, bool coarse) {
-    flies = goes_on;
-    const bool stays = has_size(relighter, from);
+    const bool stays = relighter && !is_another(from, goes_on);
     bool keeps = options.parks;
     if (!stays) {
         std::swap(relighter, parked);
         std::swap(other_light, parked_other_light);
+        std::swap(flies, parked_flies);
         keeps = parked && parks(from);
-        if (!has_size(relighter, from)) {
+        if (relighter && is_another(from, goes_on)) {
             relighter.reset();
             other_light.reset();
         }
@@ -280,9 +285,12 @@ void Session::look_from(const scene::Camera& from, bool goes_on, bool coarse) {
             parked_other_light.reset();
         }
     }
+    flies = goes_on;
     const bool has_other_maps = !stays && std::exchange(maps_changed_since_parked, false);
     live->set_atmosphere(atmosphere());
-    const bool is_anew = live->look_from(from, keeps, flies) == LiveView::Seen::anew || has_other_maps;
+    const bool is_anew =
+        live->look_from(from, keeps, flies, options.parks && splits_flights) == LiveView::Seen::anew ||
+        has_other_maps;
     if (!relighter) relighter = make_relighter(from, coarse);
     for (const auto& one : {relighter.get(), other_light.get()}) {
         if (!one) continue;

@@ -92,7 +92,10 @@ struct Session {
     std::unique_ptr<render::Relighter> relighter;
     // Of the same picture: with light at half its size where relighter has it at all of it, or the other way.
     std::unique_ptr<render::Relighter> other_light;
-    std::unique_ptr<render::Relighter> parked, parked_other_light; // those of a picture of another size
+    // Those of a picture of another size, or of the flight before it, or after which it is.
+    std::unique_ptr<render::Relighter> parked, parked_other_light;
+    bool parked_flies = false;
+    bool splits_flights = true; // they have pictures of their own, where any is parked: memory is not short
     bool maps_changed_since_parked = false;
     std::map<std::size_t, fixture::Programmer> programmer; // of options.look, for Rig::step
     std::map<std::size_t, std::vector<float>> movers;      // of options.look, by hand
@@ -120,11 +123,13 @@ struct Session {
     // less detail. coarse: use_coarse_light, too; else it stays as it is.
     void look_from(const scene::Camera& from, bool goes_on = false);
     void look_from(const scene::Camera& from, bool goes_on, bool coarse);
-    // Before a look_from that does not go on, where the picture before is parked: does what takes long, for
-    // as long as stop is false. False: it was stopped; what is shown stays, and the next one goes on from
-    // there.
+    // Before a look_from that does not go on, of another size or after a flight, where the picture before is
+    // parked: does what takes long, for as long as stop is false. False: it was stopped; what is shown stays,
+    // and the next one goes on from there.
     bool prepare(const scene::Camera& from, const std::function<bool()>& stop);
     void drop_parked();
+    // Whether a picture from there, or of a flight through there, is another one than that which is shown.
+    bool is_another(const scene::Camera& from, bool goes_on) const;
     // Gives back all memory of the device. Nothing is drawn any more; show and rig stay.
     void stop_drawing();
     // Live: light bounces from the next frame on, or no more. Links are made in the background, or draw waits

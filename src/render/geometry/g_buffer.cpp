@@ -162,17 +162,24 @@ bool GBuffer::draw(const StageModel& model, const Pose& pose, const Surroundings
     CHECK_EQ(static_cast<std::uint32_t>(pose.width), fragments_.width);
     CHECK_EQ(static_cast<std::uint32_t>(pose.height), fragments_.height);
     CHECK(usable_pose(pose));
-    const bool goes_on = !is_whole_ && drawn_count_ > 0 && stands_at(pose, surroundings) &&
-                         still_revision_ == model.still_revision();
+    const bool same_stage = stands_at(pose) && still_revision_ == model.still_revision();
+    if (is_whole_ && same_stage) {
+        surround(surroundings);
+        update(model);
+        commands_.begin();
+        gather(nullptr);
+        submit();
+        changed_ = {{0, 0, pose.width, pose.height}};
+        extras_moved_ = true;
+        warn_of_dropped();
+        return true;
+    }
+    const bool goes_on = !is_whole_ && drawn_count_ > 0 && same_stage;
     is_whole_ = false;
+    pose_ = pose;
+    surround(surroundings);
     if (!goes_on) {
-        pose_ = pose;
-        surroundings_ = surroundings;
         still_revision_ = model.still_revision();
-        fragments_.camera =
-            make_view(pose.camera_to_world, pose.fov_y_deg, pose.width, pose.height, surroundings.haze);
-        fragments_.eye_m = fragments_.camera.eye_m;
-        fragments_.pixels_per_rad = pixels_per_rad(fragments_.camera);
         const Axes axes = axes_of(pose);
         to_draw_ = model.visible(axes.eye_m, planes_of(axes), pose.most_error_px / fragments_.pixels_per_rad);
         drawn_count_ = 0;
@@ -216,16 +223,27 @@ bool GBuffer::draw_still(const StageModel& model, const std::function<bool()>& s
     }
 }
 
-bool GBuffer::stands_at(const Pose& pose, const Surroundings& surroundings) const {
+bool GBuffer::stands_at(const Pose& pose) const {
     return pose_.width > 0 && pose.camera_to_world == pose_.camera_to_world &&
            pose.fov_y_deg == pose_.fov_y_deg && pose.most_error_px == pose_.most_error_px &&
-           pose.single == pose_.single && surroundings.ambient == surroundings_.ambient &&
-           surroundings.work_lux == surroundings_.work_lux &&
+           pose.single == pose_.single;
+}
+
+bool GBuffer::is_surrounded_by(const Surroundings& surroundings) const {
+    return surroundings.ambient == surroundings_.ambient && surroundings.work_lux == surroundings_.work_lux &&
            std::memcmp(&surroundings.haze, &surroundings_.haze, sizeof surroundings.haze) == 0;
 }
 
+void GBuffer::surround(const Surroundings& surroundings) {
+    surroundings_ = surroundings;
+    fragments_.camera =
+        make_view(pose_.camera_to_world, pose_.fov_y_deg, pose_.width, pose_.height, surroundings.haze);
+    fragments_.eye_m = fragments_.camera.eye_m;
+    fragments_.pixels_per_rad = pixels_per_rad(fragments_.camera);
+}
+
 bool GBuffer::shows(const Pose& pose, const Surroundings& surroundings) const {
-    return is_whole_ && stands_at(pose, surroundings);
+    return is_whole_ && stands_at(pose) && is_surrounded_by(surroundings);
 }
 
 bool GBuffer::update(const StageModel& model) {

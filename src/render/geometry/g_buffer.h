@@ -54,9 +54,12 @@ public:
 
     // Draws and waits: the numbers in fragments() are those of this camera then. stop: asked every few
     // milliseconds; true ends it, draw is false, and nothing but draw may be called until it was true. From
-    // the same pose it goes on where it was stopped.
+    // the same pose it goes on where it was stopped; and where only what surrounds it is other, the stage is
+    // not drawn again.
     bool draw(const StageModel& model, const Pose& pose, const Surroundings& surroundings,
               const std::function<bool()>& stop = {});
+    // What it was drawn with last.
+    const Pose& pose() const { return pose_; }
     // Drawn from there, and surrounded like that.
     bool shows(const Pose& pose, const Surroundings& surroundings) const;
     // Draws what moved since then, seen and surrounded as before; the model must be the same. False: nothing
@@ -118,7 +121,9 @@ private:
     // What has to be drawn for the moving instances, which then count as shown.
     MovingPlan plan_moving(const StageModel& model);
     void draw_moving(const StageModel& model, const MovingPlan& plan);
-    bool stands_at(const Pose& pose, const Surroundings& surroundings) const;
+    bool stands_at(const Pose& pose) const;
+    bool is_surrounded_by(const Surroundings& surroundings) const;
+    void surround(const Surroundings& surroundings);
     void gather(const TileSet* tiles); // null: all of them
     void submit();
     void warn_of_dropped();
