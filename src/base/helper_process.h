@@ -38,7 +38,8 @@ private:
 
 class HelperProcess {
 public:
-    // command: the only argument that main() gets. Error: the system gives no process.
+    // command: the only argument that main() gets; one that does not know it may start no helper itself.
+    // Error: that, or the system gives no process.
     static Result<HelperProcess> start(const std::string& command);
     HelperProcess(HelperProcess&& other) noexcept;
     HelperProcess& operator=(HelperProcess&&) = delete;

@@ -6,8 +6,11 @@
 #include <array>
 #include <cerrno>
 #include <csignal>
+#include <cstdlib>
 #include <cstring>
 #include <ctime>
+#include <string>
+#include <vector>
 
 #include <fcntl.h>
 #include <poll.h>
@@ -89,6 +92,11 @@ void allow_computing_only() {
     seccomp_release(filter);
 }
 
+bool is_helper_here() {
+    const std::string name(kIsHelper.substr(0, kIsHelper.find('=')));
+    return std::getenv(name.c_str()) != nullptr;
+}
+
 } // namespace
 
 std::ptrdiff_t write_to_helper(int descriptor, Bytes bytes) {
@@ -111,6 +119,8 @@ bool wait_for_helper(int descriptor, int wait_ms) {
 }
 
 Result<HelperProcess> HelperProcess::start(const std::string& command) {
+    if (is_helper_here())
+        return Error{"this program is a helper whose main() does not know '" + command + "'", ""};
     std::array<int, 2> ends{};
     if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0)
         return Error{std::string("cannot start a helper: ") + std::strerror(errno), ""};
@@ -128,8 +138,13 @@ Result<HelperProcess> HelperProcess::start(const std::string& command) {
     posix_spawnattr_setsigmask(&attributes, &none);
     std::string name = "ghostlight", argument = command;
     char* arguments[] = {name.data(), argument.data(), nullptr};
+    std::string is_helper(kIsHelper);
+    std::vector<char*> environment{is_helper.data()};
+    for (char** one = environ; *one; ++one) environment.push_back(*one);
+    environment.push_back(nullptr);
     pid_t process = 0;
-    const int fault = ::posix_spawn(&process, "/proc/self/exe", &actions, &attributes, arguments, environ);
+    const int fault =
+        ::posix_spawn(&process, "/proc/self/exe", &actions, &attributes, arguments, environment.data());
     posix_spawnattr_destroy(&attributes);
     posix_spawn_file_actions_destroy(&actions);
     ::close(ends[1]);

@@ -10,7 +10,10 @@
 #include <array>
 #include <cerrno>
 #include <csignal>
+#include <cstdlib>
 #include <cstring>
+#include <string>
+#include <vector>
 
 #include <fcntl.h>
 #include <libproc.h>
@@ -37,6 +40,11 @@ Error not_started(int fault) {
     return Error{std::string("cannot start a helper: ") + std::strerror(fault), ""};
 }
 
+bool is_helper_here() {
+    const std::string name(kIsHelper.substr(0, kIsHelper.find('=')));
+    return std::getenv(name.c_str()) != nullptr;
+}
+
 } // namespace
 
 std::ptrdiff_t write_to_helper(int descriptor, Bytes bytes) {
@@ -59,6 +67,8 @@ bool wait_for_helper(int descriptor, int wait_ms) {
 }
 
 Result<HelperProcess> HelperProcess::start(const std::string& command) {
+    if (is_helper_here())
+        return Error{"this program is a helper whose main() does not know '" + command + "'", ""};
     std::array<char, 4096> file{};
     auto size = static_cast<std::uint32_t>(file.size());
     if (_NSGetExecutablePath(file.data(), &size) != 0) return not_started(ENAMETOOLONG);
@@ -86,8 +96,13 @@ Result<HelperProcess> HelperProcess::start(const std::string& command) {
     posix_spawnattr_setsigmask(&attributes, &none);
     std::string name = "ghostlight", argument = command;
     char* arguments[] = {name.data(), argument.data(), nullptr};
+    std::string is_helper(kIsHelper);
+    std::vector<char*> environment{is_helper.data()};
+    for (char** one = environ; *one; ++one) environment.push_back(*one);
+    environment.push_back(nullptr);
     pid_t process = 0;
-    const int fault = ::posix_spawn(&process, file.data(), &actions, &attributes, arguments, environ);
+    const int fault =
+        ::posix_spawn(&process, file.data(), &actions, &attributes, arguments, environment.data());
     posix_spawnattr_destroy(&attributes);
     posix_spawn_file_actions_destroy(&actions);
     ::close(ends[1]);

@@ -92,7 +92,7 @@ private:
     bool has_input() const; // a recording, or a desk that was heard
     bool leaves_unasked_dark() const;
     std::string needs_live() const;
-    render::FrameStatistics draw_live(const scene::Camera& wanted, double begin_s);
+    render::FrameStatistics draw_live(const scene::Camera& asked, double begin_s);
     render::FrameStatistics draw_baked(const scene::Camera& wanted, double begin_s);
     std::function<bool()> stop_of(double begin_s);
     void draw_beside(double begin_s);

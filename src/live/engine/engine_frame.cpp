@@ -31,6 +31,20 @@ bool same_lit(const scene::FrameLights& a, const scene::FrameLights& b) {
                       });
 }
 
+// What differs by rounding alone, as at the end of a flight, stands where it was shown: to draw a stage from
+// elsewhere takes a second.
+scene::Camera steadied(scene::Camera camera, const scene::Camera& shown) {
+    constexpr float kSame_m = 1e-4f, kSame_deg = 1e-3f;
+    if (glm::distance(camera.position_m, shown.position_m) > kSame_m ||
+        glm::distance(camera.target_m, shown.target_m) > kSame_m ||
+        std::abs(camera.fov_y_deg - shown.fov_y_deg) > kSame_deg)
+        return camera;
+    camera.position_m = shown.position_m;
+    camera.target_m = shown.target_m;
+    camera.fov_y_deg = shown.fov_y_deg;
+    return camera;
+}
+
 } // namespace
 
 bool Engine::hear_remote(double now_s) {
@@ -93,7 +107,8 @@ bool Engine::leaves_unasked_dark() const {
     return has_work_light() && !has_input() && request_.look.solo.empty();
 }
 
-render::FrameStatistics Engine::draw_live(const scene::Camera& wanted, double begin_s) {
+render::FrameStatistics Engine::draw_live(const scene::Camera& asked, double begin_s) {
+    const scene::Camera wanted = steadied(asked, shown_.camera);
     const LivePicture::Drawn drawn =
         live_.draw(*session_,
                    {.camera = wanted,
