@@ -6951,6 +6951,66 @@ Bitte den Namen des Ordners prüfen.</translation>
         <source>it needs a camera and its new name</source>
         <translation>es braucht eine Kamera und ihren neuen Namen</translation>
     </message>
+    <message>
+        <source>Could not determine tag type</source>
+        <translation>Art des Tags nicht zu erkennen</translation>
+    </message>
+    <message>
+        <source>Error parsing comment</source>
+        <translation>Fehler in einem Kommentar</translation>
+    </message>
+    <message>
+        <source>Error parsing CDATA section</source>
+        <translation>Fehler in einem CDATA-Abschnitt</translation>
+    </message>
+    <message>
+        <source>Error parsing document type declaration</source>
+        <translation>Fehler in der Dokumenttyp-Deklaration</translation>
+    </message>
+    <message>
+        <source>Error parsing PCDATA section</source>
+        <translation>Fehler in einem Textabschnitt</translation>
+    </message>
+    <message>
+        <source>Error parsing start element tag</source>
+        <translation>Fehler in einem Start-Tag</translation>
+    </message>
+    <message>
+        <source>Error parsing element attribute</source>
+        <translation>Fehler in einem Attribut</translation>
+    </message>
+    <message>
+        <source>Error parsing end element tag</source>
+        <translation>Fehler in einem End-Tag</translation>
+    </message>
+    <message>
+        <source>Start-end tags mismatch</source>
+        <translation>End-Tag passt nicht zum Start-Tag</translation>
+    </message>
+    <message>
+        <source>No document element found</source>
+        <translation>kein Wurzelelement gefunden</translation>
+    </message>
+    <message>
+        <source>nobody asks for it, no desk, no recording and no hand: it is left dark while the work light is on (by its file alone it would give %1 of its light)</source>
+        <translation>niemand steuert es an, kein Pult, keine Aufzeichnung und keine Hand: solange das Arbeitslicht an ist, bleibt es dunkel (nach seiner Datei allein gäbe es %1 seines Lichts)</translation>
+    </message>
+    <message>
+        <source>nobody asks for them while the work light is on</source>
+        <translation>niemand steuert sie an, solange das Arbeitslicht an ist</translation>
+    </message>
+    <message>
+        <source>the XML is not well formed: %1, in or behind %2 of that file inside of the plot, which is a zip</source>
+        <translation>das XML ist nicht wohlgeformt: %1, in oder hinter %2 dieser Datei im Plot, der ein Zip ist</translation>
+    </message>
+    <message>
+        <source>the XML is not well formed: %1, in that file inside of the plot, which is a zip</source>
+        <translation>das XML ist nicht wohlgeformt: %1, in dieser Datei im Plot, der ein Zip ist</translation>
+    </message>
+    <message>
+        <source>the XML is not well formed: %1</source>
+        <translation>das XML ist nicht wohlgeformt: %1</translation>
+    </message>
 </context>
 <context>
     <name>Transport</name>

@@ -51,6 +51,18 @@ Reason no_type(const PatchedFixture& fixture, const Report& report) {
     return finding;
 }
 
+// by_file: the fraction of its light that it gives where the rig leaves nothing dark.
+Reason unasked(float by_file) {
+    return {
+        Cause::unasked,
+        true,
+        "nobody asks for it, no desk, no recording and no hand: it is left dark while the work light is on "
+        "(by its file alone it would give " +
+            percent(by_file) + " of its light)",
+        "nobody asks for them while the work light is on",
+        {}};
+}
+
 Reason no_place(const Explanation& explanation) {
     return {Cause::no_place,
             false,
@@ -197,11 +209,11 @@ Reason several(const BeamFacts& beam) {
 
 const char* cause_name(Cause cause) {
     static constexpr const char* kNames[] = {
-        "none",           "no_type", "no_mode",  "no_place",   "no_address", "not_patched",  "no_input",
-        "never_received", "lost",    "not_sent", "overridden", "two_desks",  "same_address", "overlap",
-        "dimmer",         "shutter", "strobe",   "iris",       "blades",     "colour",       "gobo",
-        "animation",      "picture", "zoom",     "emitters",   "lamp",       "no_beam",      "several",
-        "hidden",         "away",    "faint"};
+        "none",    "no_type",        "no_mode", "no_place", "no_address", "not_patched", "no_input",
+        "unasked", "never_received", "lost",    "not_sent", "overridden", "two_desks",   "same_address",
+        "overlap", "dimmer",         "shutter", "strobe",   "iris",       "blades",      "colour",
+        "gobo",    "animation",      "picture", "zoom",     "emitters",   "lamp",        "no_beam",
+        "several", "hidden",         "away",    "faint"};
     static_assert(std::size(kNames) == static_cast<std::size_t>(Cause::faint) + 1);
     return kNames[static_cast<std::size_t>(cause)];
 }
@@ -272,7 +284,11 @@ Explanation Explainer::explain(std::size_t index, int asked_beam) const {
     result.universes = universe_facts(input_, result.channels);
     result.looked =
         input_.stage != nullptr && !input_.stage->instances.empty() && input_.first_hit != nullptr;
-    float quick_sum_lm = 0, most_cd = 0;
+    const bool is_left_dark = input_.rig.is_left_dark(index);
+    const auto by_file = [&](std::size_t beam) {
+        return fraction_of(*patch.type, state.beams[beam], input_.gobos);
+    };
+    float quick_sum_lm = 0, most_cd = 0, most_lm = 0;
     for (std::size_t b = 0; b < state.beams.size(); ++b) {
         const LensFace& face = faces_[first_face_[index] + b];
         const shared::Light& light = face.light;
@@ -284,6 +300,10 @@ Explanation Explainer::explain(std::size_t index, int asked_beam) const {
         BeamFacts facts = measure(patch, b, state.beams[b], light, result.channels, input_.gobos,
                                   projector ? &*projector : nullptr);
         if (!state.lamp.lit) facts.lamp = 0.0f; // a filament has that in its dimmer
+        if (is_left_dark) {
+            facts.asked = 0.0f;
+            facts.rest = 1.0f;
+        }
         facts.findings = causes_in_beam(patch, b, state.beams[b], facts, result.channels);
         sort_findings(facts.findings);
         facts.glows = face.glows;
@@ -298,10 +318,11 @@ Explanation Explainer::explain(std::size_t index, int asked_beam) const {
             facts.grouped =
                 static_cast<int>(emitters.lights[static_cast<std::size_t>(light_index)].beams.size());
         if (result.looked && result.is_aim_known() && !face.glows) look(input_, light, facts);
+        const float shines_lm = is_left_dark ? by_file(b) * facts.full_lm : facts.output_lm;
         result.beams.push_back(std::move(facts));
-        const BeamFacts& best = result.beams[static_cast<std::size_t>(std::max(result.main_beam, 0))];
-        if (result.main_beam < 0 || result.beams.back().output_lm > best.output_lm)
-            result.main_beam = static_cast<int>(b);
+        if (result.main_beam >= 0 && shines_lm <= most_lm) continue;
+        result.main_beam = static_cast<int>(b);
+        most_lm = shines_lm;
     }
 
     if (asked_beam >= 0 && asked_beam < static_cast<int>(result.beams.size())) {
@@ -327,6 +348,8 @@ Explanation Explainer::explain(std::size_t index, int asked_beam) const {
                                               : Visibility::lit;
         if (visibility == Visibility::lit) {
             if (result.looked && result.is_aim_known() && !beam.glows) add_unseen(input_, beam);
+        } else if (is_left_dark) { // whatever its channels, network and patch do
+            beam.findings.push_back(unasked(by_file(static_cast<std::size_t>(result.main_beam))));
         } else {
             if (!first_blocking(beam.findings)) beam.findings.push_back(several(beam));
             direct_copy = *first_blocking(beam.findings);

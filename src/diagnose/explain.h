@@ -26,6 +26,7 @@ enum class Cause {
     no_address,     // it is written, and cannot be read
     not_patched,    // no address
     no_input,       // neither a recording nor a desk
+    unasked,        // no hand either, and the rig leaves such heads dark
     never_received, // no packet of the universe
     lost,           // nobody sends the universe any more; its last look is held
     not_sent,       // the universe comes with fewer channels
@@ -138,14 +139,15 @@ struct HitFacts {
 };
 
 // One beam; the parts are fractions of light, each of what the parts before it leave (of an open beam, where
-// those leave nothing): lamp * dimmer * master * shutter * strobe * mix * emitters * correction * colour *
-// picture * animation * gobo * iris * blades * rest = output_lm / full_lm.
+// those leave nothing): asked * lamp * dimmer * master * shutter * strobe * mix * emitters * correction *
+// colour * picture * animation * gobo * iris * blades * rest = output_lm / full_lm.
 struct BeamFacts {
     std::string name;
     bool glows = false; // lights nothing, is only seen (BeamType None, Glow)
     int grouped = 1;    // beams that are drawn as one light with it, itself included
     float full_lm = 0;  // all open
     float output_lm = 0;
+    float asked = 1;  // 0: nobody asks for it, and it is left dark
     float lamp = 1;   // off, on, or on its way
     float dimmer = 1; // the nearest to the beam
     float master = 1; // all dimmers above it

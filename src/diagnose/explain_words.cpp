@@ -146,7 +146,8 @@ std::string channel_lines(const Explanation& explanation) {
 }
 
 std::string light_text(const BeamFacts& beam) {
-    std::string text = (beam.lamp < 0.995f ? "lamp " + percent(beam.lamp) + " x " : std::string()) +
+    std::string text = (beam.asked < 1.0f ? "asked 0 % x " : std::string()) +
+                       (beam.lamp < 0.995f ? "lamp " + percent(beam.lamp) + " x " : std::string()) +
                        "dimmer " + percent(beam.dimmer) + " x master " + percent(beam.master) +
                        " x shutter " + percent(beam.shutter);
     const auto add = [&](const char* name, float fraction, bool always) {

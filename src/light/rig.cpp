@@ -113,7 +113,8 @@ struct Rig::Between {
 };
 
 Rig::Rig(const Show& show)
-    : show_(show), track_(show.fixtures.size(), 0.0f), movers_(show.movers), aims_(show.fixtures.size()) {
+    : show_(show), track_(show.fixtures.size(), 0.0f), movers_(show.movers), aims_(show.fixtures.size()),
+      left_dark_(show.fixtures.size()) {
     std::map<std::tuple<const fixture::Type*, int, bool>, std::shared_ptr<const BeamGroups>> known;
     for (const PatchedFixture& fixture : show.fixtures) {
         patches_.push_back(fixture.patch());
@@ -294,6 +295,10 @@ bool Rig::is_unasked(std::size_t index) const {
                        [](const fixture::Channel& channel) { return !channel.offsets.empty(); });
 }
 
+std::size_t Rig::left_dark() const {
+    return static_cast<std::size_t>(std::count(left_dark_.begin(), left_dark_.end(), true));
+}
+
 std::vector<LensFace> Rig::faces(std::size_t index, const FixturePose& hung, const GoboStack& gobos) {
     const fixture::Type& type = *show_.fixtures[index].type;
     std::vector<LensFace> faces = faces_of(type, states_[index].beams, hung.to_world, gobos, profiles_,
@@ -301,12 +306,10 @@ std::vector<LensFace> Rig::faces(std::size_t index, const FixturePose& hung, con
     if (walls_[index]) light_wall(index, gobos, faces);
     if (show_.fixtures[index].laser) colour_laser(*show_.fixtures[index].laser, type, states_[index], faces);
     if (leaves_unasked_dark_ && is_unasked(index)) {
-        bool shone = false;
         for (LensFace& face : faces) {
-            shone = shone || face.light.intensity_cd != glm::vec3(0);
+            if (face.light.intensity_cd != glm::vec3(0)) left_dark_[index] = true;
             face.light.intensity_cd = face.light.bounce_cd = glm::vec3(0);
         }
-        left_dark_ += shone ? 1 : 0;
     }
     const auto programmer = programmer_.find(index);
     if (programmer == programmer_.end()) return faces;
@@ -323,7 +326,7 @@ FrameLights Rig::lit(const GoboStack& gobos, const DistanceMaps& maps, Cells cel
     FrameLights lit;
     std::vector<LensFace> facets;
     profiles_.trim();
-    left_dark_ = 0;
+    left_dark_.assign(left_dark_.size(), false);
     for (std::size_t i = 0; i < patches_.size(); ++i) {
         const PatchedFixture& fixture = show_.fixtures[i];
         if (!fixture.type) continue;
@@ -353,7 +356,7 @@ FrameLights Rig::lit(const GoboStack& gobos, const Passes& passes) {
     FrameLights lit;
     std::vector<LensFace> facets;
     profiles_.trim();
-    left_dark_ = 0;
+    left_dark_.assign(left_dark_.size(), false);
     const auto dark_pass = static_cast<std::uint32_t>(passes.lights.size());
     for (std::size_t i = 0; i < patches_.size(); ++i) {
         const PatchedFixture& fixture = show_.fixtures[i];

@@ -44,8 +44,9 @@ public:
     // Heads whose channels nobody sets, no hand and no desk, give no light, whatever their files have them do
     // then; their state stays. What walls and projectors show is no such light.
     void leave_unasked_dark(bool leave) { leaves_unasked_dark_ = leave; }
-    // Fixtures that the last lit() left dark by that.
-    std::size_t left_dark() const { return left_dark_; }
+    // Whether the last lit() left a fixture dark by that, and how many.
+    bool is_left_dark(std::size_t fixture) const { return left_dark_[fixture]; }
+    std::size_t left_dark() const;
 
     // Fixtures go on from where they were in another rig: motors, wheels that turn, lamps. from: for each
     // fixture here its index there, or nothing. One of another type or mode starts anew.
@@ -114,7 +115,7 @@ private:
     std::vector<std::optional<glm::vec3>> aims_;
     std::map<std::size_t, fixture::Programmer> programmer_, asked_; // of the last step
     bool leaves_unasked_dark_ = false;
-    std::size_t left_dark_ = 0;
+    std::vector<bool> left_dark_;
     ProfileTable profiles_; // of frames before, too: a light is the same with it and without
 };
 

@@ -85,10 +85,13 @@ Result<void> read_description(LoadedPlot& loaded, const MvrMembers& members, con
     const pugi::xml_parse_result parsed =
         document.load_buffer_inplace(xml.data(), xml.size(), pugi::parse_default | pugi::parse_doctype,
                                      repaired ? pugi::encoding_utf8 : pugi::encoding_auto);
-    if (!parsed)
-        return Error{std::string("the XML is not well formed: ") + parsed.description() + ", in or behind " +
-                         last_element(document) + " of that file inside of the plot, which is a zip",
+    if (!parsed) {
+        const std::string way = last_element(document);
+        return Error{std::string("the XML is not well formed: ") + parsed.description() +
+                         (way.empty() ? ", in" : ", in or behind " + way + " of") +
+                         " that file inside of the plot, which is a zip",
                      where + ":" + std::to_string(reader.line_at(parsed.offset))};
+    }
     pugi::xml_node root = document.child("GeneralSceneDescription");
     if (!root) return Error{"expected the element GeneralSceneDescription", where};
     if (repaired) reader.say(Severity::warning, root, fixture::kNotUtf8);

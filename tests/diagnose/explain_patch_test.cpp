@@ -104,6 +104,35 @@ TEST(explain, NoDmxAtAll) {
     EXPECT_TRUE(find(lit, Cause::no_input));
 }
 
+// It would shine, and the picture has it dark.
+TEST(explain, HeadThatNobodyAsks) {
+    Trial trial(type_of(simple("1", "Dimmer", 0, 1, "Default=\"255/1\"")));
+    trial.reception = {};
+    trial.leaves_unasked_dark = true;
+    const Explanation dark = trial.explain();
+    expect(dark, Visibility::dark, Cause::unasked,
+           {"dark because nobody asks for it, no desk, no recording and no hand: it is left dark while the "
+            "work light is on (by its file alone it would give 100 % of its light)"});
+    EXPECT_EQ(dark.beams.at(0).output_lm, 0);
+    EXPECT_EQ(dark.beams[0].asked, 0);
+    EXPECT_EQ(dark.beams[0].rest, 1);
+    ASSERT_TRUE(find(dark, Cause::no_input));
+    EXPECT_FALSE(find(dark, Cause::no_input)->blocks) << "it would shine without";
+    EXPECT_FALSE(find(dark, Cause::several));
+    EXPECT_NE(words_of(dark, trial.reception).find("asked 0 % x dimmer 100 %"), std::string::npos);
+    EXPECT_NE(json_of(dark, trial.reception).find("\"cause\": \"unasked\""), std::string::npos);
+    EXPECT_EQ(summary_of(trial.all()),
+              "1 of 1 dark: 1 because nobody asks for them while the work light is on");
+    // No fault of its patch is why, and what its file has dark is so for that.
+    trial.show.fixtures[0].address = 0;
+    trial.show.fixtures[0].is_mode_known = false;
+    expect(trial.explain(), Visibility::dark, Cause::unasked, {"dark because nobody asks for it"});
+    Trial closed(type_of(kDimmer));
+    closed.reception = {};
+    closed.leaves_unasked_dark = true;
+    expect(closed.explain(), Visibility::dark, Cause::no_input, {"default 0"});
+}
+
 TEST(explain, UniverseNeverReceived) {
     Trial trial(type_of(kDimmer));
     trial.show.fixtures[0].universe = 3;

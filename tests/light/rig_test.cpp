@@ -344,6 +344,24 @@ TEST(rig, NoDataIsDarkAndOtherUniversesDoNotMatter) {
     EXPECT_EQ(rig.lights(desk.gobos, desk.passes).at(0).intensity_cd, vec3(0.0f));
 }
 
+TEST(rig, WhoIsLeftDarkIsTold) {
+    Desk desk("Spot");
+    desk.show.fixtures.push_back(hung("Spot", 1));
+    desk.show.fixtures.push_back(hung("Spot", 101)); // dark by its file
+    Rig rig(desk.show);
+    rig.leave_unasked_dark(true);
+    rig.step(desk.universes(), 1.0 / 30, {{1, {.intensity = 1.0f}}});
+    (void)rig.lit(desk.gobos, desk.passes);
+    EXPECT_TRUE(rig.is_left_dark(0));
+    EXPECT_FALSE(rig.is_left_dark(1)) << "a hand asks";
+    EXPECT_FALSE(rig.is_left_dark(2));
+    EXPECT_EQ(rig.left_dark(), 1u);
+    rig.leave_unasked_dark(false);
+    (void)rig.lit(desk.gobos, DistanceMaps{});
+    EXPECT_FALSE(rig.is_left_dark(0));
+    EXPECT_EQ(rig.left_dark(), 0u);
+}
+
 TEST(rig, TrackFadesBetweenTwoPasses) {
     Desk desk("Wash");
     PatchedFixture& fixture = desk.show.fixtures[0];

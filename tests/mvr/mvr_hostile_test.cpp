@@ -52,7 +52,8 @@ TEST(mvr_hostile, no_zip_no_description_no_xml) {
                                   "<Fixture name=\"Spot 3\"></Scene>")),
         "in or behind GeneralSceneDescription/Scene/Layers/Layer 'Rig'/Fixture 'Spot 3' of that file inside "
         "of the plot");
-    EXPECT_SAYS(error_of(load_description("")), "not well formed");
+    EXPECT_SAYS(error_of(load_description("")),
+                "not well formed: No document element found, in that file inside of the plot");
     EXPECT_SAYS(error_of(load_description("<GDTF/>")), "expected the element GeneralSceneDescription");
     const auto empty = load_description("<GeneralSceneDescription/>");
     ASSERT_TRUE(empty.ok());

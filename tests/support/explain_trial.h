@@ -129,6 +129,7 @@ struct Trial {
     Reception reception;
     double dt_s = 1.0 / 30;
     int steps = 1;
+    bool leaves_unasked_dark = false;
     int beam = -1; // of the first fixture: what is asked about
 
     Trial() {
@@ -162,6 +163,7 @@ struct Trial {
         }
         const GoboStack gobos = build_gobos(show, report);
         Rig rig(show);
+        rig.leave_unasked_dark(leaves_unasked_dark);
         for (int step = 0; step < steps; ++step) rig.step(universes, dt_s);
         ExplainInput input{show, report, rig, gobos, universes, reception};
         input.now_s = 10;

@@ -53,19 +53,23 @@ void Engine::tell_unseen(double now_s) {
         unseen_.is_known && is_same(unseen_.camera, shown_.camera) && unseen_.is_black == shown_.is_black;
     const bool rests = !is_moving(now_s);
     if (is_as_before || (!rests && !unseen_.is_known)) return;
+    const bool is_asked_dark = session_->master == 0 || request_.false_colour.measure != ui::Measure::none;
+    const bool may_be_unseen =
+        rests && !is_asked_dark && !shown_.is_baked && (shown_.is_black || live_.has_work_light());
+    const bake::Tracer* const tracer = may_be_unseen ? probe_.tracer_if_made(*session_) : nullptr;
+    if (may_be_unseen && !tracer) return; // a later frame finds it
     ui::UnseenStage news;
     unseen_.is_known = rests;
     unseen_.camera = shown_.camera;
     unseen_.is_black = shown_.is_black;
-    const bool is_asked_dark = session_->master == 0 || request_.false_colour.measure != ui::Measure::none;
-    if (rests && !is_asked_dark && !shown_.is_baked) {
+    if (tracer) {
         std::vector<glm::vec3> heads_m;
         for (std::size_t i = 0; i < session_->show->fixtures.size(); ++i)
             heads_m.push_back(session_->rig->moved(i) *
                               glm::vec4(scene::light_position_m(session_->show->fixtures[i], 0), 1.0f));
         const bake::DenormalsOff mode;
-        if (auto body = unseen_stage(shown_.camera, heads_m, probe_.tracer(*session_), shown_.is_black,
-                                     live_.has_work_light()))
+        if (auto body =
+                unseen_stage(shown_.camera, heads_m, *tracer, shown_.is_black, live_.has_work_light()))
             news = {true, std::move(*body)};
     }
     if (news == unseen_.news) return;

@@ -4,6 +4,7 @@
 #include "live/session/picture_writer.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 
 namespace ghost::app {
@@ -23,6 +24,7 @@ float at_place(const image::ImageF& picture, const glm::vec2& place) {
 } // namespace
 
 void PictureProbe::forget() {
+    coming_tracer_ = {};
     tracer_.reset();
     meter_.reset();
     frame_ = {};
@@ -40,15 +42,31 @@ std::shared_ptr<const image::Image8> PictureProbe::false_colours(const ui::False
     return std::make_shared<const image::Image8>(image::false_coloured(values, wanted.scale));
 }
 
+void PictureProbe::begin_tracer(const Session& session) {
+    const bool has_one = tracer_ || coming_tracer_.valid();
+    if (has_one && traced_changes_ == session.live->shown_changes()) return;
+    coming_tracer_ = {};
+    tracer_.reset();
+    traced_changes_ = session.live->shown_changes();
+    const bool is_as_opened = traced_changes_ == 0;
+    traced_stage_ = is_as_opened ? scene::Stage{} : session.live->solid_now();
+    const scene::Stage& stage = is_as_opened ? session.live->solid() : traced_stage_;
+    coming_tracer_ =
+        std::async(std::launch::async, [&stage] { return std::make_unique<bake::Tracer>(stage); });
+}
+
 const bake::Tracer& PictureProbe::tracer(const Session& session) {
-    if (!tracer_ || traced_changes_ != session.live->shown_changes()) {
-        tracer_.reset();
-        traced_changes_ = session.live->shown_changes();
-        const bool is_as_opened = traced_changes_ == 0;
-        traced_stage_ = is_as_opened ? scene::Stage{} : session.live->solid_now();
-        tracer_ = std::make_unique<bake::Tracer>(is_as_opened ? session.live->solid() : traced_stage_);
-    }
+    begin_tracer(session);
+    if (coming_tracer_.valid()) tracer_ = coming_tracer_.get();
     return *tracer_;
+}
+
+const bake::Tracer* PictureProbe::tracer_if_made(const Session& session) {
+    begin_tracer(session);
+    const bool has_come = coming_tracer_.valid() &&
+                          coming_tracer_.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
+    if (has_come) tracer_ = coming_tracer_.get();
+    return tracer_.get();
 }
 
 ui::SideMeasure PictureProbe::measure(const glm::vec2& wanted, const image::ImageF& luminance,

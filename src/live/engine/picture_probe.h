@@ -8,6 +8,7 @@
 #include "live/session/session.h"
 #include "rays/tracer.h"
 
+#include <future>
 #include <memory>
 #include <optional>
 
@@ -38,6 +39,9 @@ public:
 
     // Rays through the stage as it is shown now.
     const bake::Tracer& tracer(const Session& session);
+    // The same for what can wait, for of a large stage it takes longer to make than a picture: null until it
+    // is there.
+    const bake::Tracer* tracer_if_made(const Session& session);
 
     // The session is another one; the picture has another size, or its air is another; it is of another
     // camera.
@@ -46,12 +50,15 @@ public:
     void forget_frame() { frame_ = {}; }
 
 private:
+    void begin_tracer(const Session& session);
+
     ui::Link& link_;
     scene::Stage traced_stage_;
     std::uint64_t traced_changes_ = 0;
     std::unique_ptr<bake::Tracer> tracer_; // made when something is to be explained or measured
-    std::unique_ptr<LightMeter> meter_;    // made when lux are to be shown; refers to the session's picture
-    image::ImageF frame_;                  // cd/m^2 of the picture, made when they are asked for
+    std::future<std::unique_ptr<bake::Tracer>> coming_tracer_; // reads the stage: waited for before that goes
+    std::unique_ptr<LightMeter> meter_; // made when lux are to be shown; refers to the session's picture
+    image::ImageF frame_;               // cd/m^2 of the picture, made when they are asked for
     std::optional<glm::vec2> probed_place_;
     double probed_s_ = 0;
     std::uint64_t saved_ = 0, picked_ = 0; // numbers of the last requests

@@ -70,6 +70,7 @@ void RigNews::publish(const Session& session, const LiveInput& input, const scen
             if (!beam.optics.gobo_wheels.empty() && !beam.optics.gobo_wheels.front().spinning)
                 now.gobo = static_cast<int>(std::lround(beam.optics.gobo_wheels.front().position));
         }
+        if (session.rig->is_left_dark(i)) now.dimmer = 0; // whatever its file says
         now.asked = {.intensity = now.dimmer,
                      .zoom_deg = now.zoom_deg,
                      .pan_deg = now.pan_deg,

@@ -161,6 +161,17 @@ constexpr const char* kParts[] = {
     QT_TRANSLATE_NOOP("Sentence", "%1 x blades %2"),
     QT_TRANSLATE_NOOP("Sentence", "other optics %1"),
     QT_TRANSLATE_NOOP("Sentence", "%1 x other optics %2"),
+    // what pugixml says of a file
+    QT_TRANSLATE_NOOP("Sentence", "Could not determine tag type"),
+    QT_TRANSLATE_NOOP("Sentence", "Error parsing comment"),
+    QT_TRANSLATE_NOOP("Sentence", "Error parsing CDATA section"),
+    QT_TRANSLATE_NOOP("Sentence", "Error parsing document type declaration"),
+    QT_TRANSLATE_NOOP("Sentence", "Error parsing PCDATA section"),
+    QT_TRANSLATE_NOOP("Sentence", "Error parsing start element tag"),
+    QT_TRANSLATE_NOOP("Sentence", "Error parsing element attribute"),
+    QT_TRANSLATE_NOOP("Sentence", "Error parsing end element tag"),
+    QT_TRANSLATE_NOOP("Sentence", "Start-end tags mismatch"),
+    QT_TRANSLATE_NOOP("Sentence", "No document element found"),
 };
 
 } // namespace

@@ -104,6 +104,16 @@ constexpr const char* kSentences[] = {
                                   "all channels keep their defaults, and %1"),
     QT_TRANSLATE_NOOP("Sentence", "there is no DMX: the show has no recording and no desk is listened to; "
                                   "all channels keep their defaults"),
+    QT_TRANSLATE_NOOP("Sentence",
+                      "nobody asks for it, no desk, no recording and no hand: it is left dark while the work "
+                      "light is on (by its file alone it would give %1 of its light)"),
+    QT_TRANSLATE_NOOP("Sentence", "nobody asks for them while the work light is on"),
+    QT_TRANSLATE_NOOP("Sentence",
+                      "the XML is not well formed: %1, in or behind %2 of that file inside of the "
+                      "plot, which is a zip"),
+    QT_TRANSLATE_NOOP("Sentence",
+                      "the XML is not well formed: %1, in that file inside of the plot, which is a zip"),
+    QT_TRANSLATE_NOOP("Sentence", "the XML is not well formed: %1"),
     QT_TRANSLATE_NOOP("Sentence", "%1; its channels keep their defaults, and %2"),
     QT_TRANSLATE_NOOP("Sentence", "%1; its channels keep their defaults"),
     QT_TRANSLATE_NOOP("Sentence", "universe %1 begins in the recording at %2 s, this is %3 s"),

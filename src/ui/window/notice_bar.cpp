@@ -64,9 +64,12 @@ NoticeBar::NoticeBar(Actions& actions, ShowDocument& document, AppModel& app, QW
                     {translated("Notice", "Close and lose them"), "quit anyway"}});
     });
     connect(&document_, &ShowDocument::changed, this, [this] {
-        if (!document_.waits_for_answer() && !says_not_opened_) hide();
+        if (!document_.waits_for_answer() && !says_not_opened_ && !says_unseen_) put_away();
     });
-    connect(&app_, &AppModel::unseen_stage_came, this, &NoticeBar::say_unseen);
+    connect(&app_, &AppModel::unseen_stage_came, this, [this] {
+        closed_unseen_ = false;
+        say_unseen();
+    });
     connect(&app_, &AppModel::not_opened, this, &NoticeBar::say_not_opened);
     connect(&app_, &AppModel::opened_show, this, [this] {
         if (app_.opened().is_edit) return;
@@ -85,7 +88,7 @@ bool NoticeBar::say_refused(const QString& what) {
 }
 
 void NoticeBar::forget_refused() {
-    if (std::exchange(says_refused_, false)) hide();
+    if (std::exchange(says_refused_, false)) put_away();
 }
 
 void NoticeBar::say_without_optics() {
@@ -121,6 +124,13 @@ void NoticeBar::say_unseen() {
                   .arg(QString::fromStdString(unseen.body)),
         {{translated("Notice", "Home"), "see-all"}, {translated("Notice", "Close"), ""}});
     says_unseen_ = true;
+}
+
+// Then what had to wait is said, if it is so still.
+void NoticeBar::put_away() {
+    says_unseen_ = false;
+    hide();
+    if (!closed_unseen_) say_unseen();
 }
 
 void NoticeBar::say_not_opened() {
@@ -168,8 +178,9 @@ void NoticeBar::ask(const QString& words, const std::vector<Answer>& answers, Ki
     for (const Answer& answer : answers)
         connect(addAction(answer.button), &QAction::triggered, this, [this, answer] {
             if (answer.puts_away) {
+                closed_unseen_ = closed_unseen_ || says_unseen_;
                 says_not_opened_ = false;
-                hide();
+                put_away();
             }
             if (!answer.line.isEmpty()) actions_.choose(answer.line);
         });

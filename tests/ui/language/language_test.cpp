@@ -155,6 +155,18 @@ TEST_F(Language, SoIsWhatElseIsSaidOfTheNetworkAndOfLamps) {
     EXPECT_GT(lines, 60);
 }
 
+TEST_F(Language, SoIsWhatIsSaidOfMalformedXml) {
+    EXPECT_EQ(in_german("tour.mvr: GeneralSceneDescription.xml:3: the XML is not well formed: Start-end tags "
+                        "mismatch, in or behind Scene/Layers/Layer 'Rig' of that file inside of the plot, "
+                        "which is a zip"),
+              "tour.mvr: GeneralSceneDescription.xml:3: das XML ist nicht wohlgeformt: End-Tag passt nicht "
+              "zum Start-Tag, in oder hinter Scene/Layers/Layer 'Rig' dieser Datei im Plot, der ein Zip ist");
+    EXPECT_EQ(in_german("tour.mvr: GeneralSceneDescription.xml:1: the XML is not well formed: No document "
+                        "element found, in that file inside of the plot, which is a zip"),
+              "tour.mvr: GeneralSceneDescription.xml:1: das XML ist nicht wohlgeformt: kein Wurzelelement "
+              "gefunden, in dieser Datei im Plot, der ein Zip ist");
+}
+
 TEST_F(Language, SoIsWhyABakedPictureIsNotShown) {
     EXPECT_EQ(
         in_german(

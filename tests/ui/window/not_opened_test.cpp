@@ -98,6 +98,38 @@ TEST(NotOpened, the_bar_is_no_higher_than_its_words_need) {
     }
 }
 
+TEST(NotOpened, a_camera_that_sees_nothing_is_said_when_nothing_else_is) {
+    Failing failing;
+    failing.open_one();
+    failing.fail({"no such file or folder", "/nowhere/show.toml"});
+    const auto look_at = [&](const UnseenStage& unseen) {
+        failing.link.unseen_stage.put(unseen);
+        failing.link.on_news();
+        settle();
+    };
+    const auto close = [&] {
+        failing.button("Close")->trigger();
+        settle();
+    };
+    look_at({true, "Wall"});
+    EXPECT_TRUE(failing.bar->words().contains("Not opened")) << "which waits for somebody";
+    close();
+    EXPECT_TRUE(failing.bar->words().contains("behind 'Wall'"));
+    EXPECT_TRUE(failing.bar->styleSheet().isEmpty()) << "no fault";
+    failing.fail({"no such file or folder", "/nowhere/show.toml"}); // before it, and then it is there again
+    close();
+    EXPECT_TRUE(failing.bar->words().contains("behind 'Wall'"));
+    close();
+    EXPECT_EQ(failing.bar->words(), "");
+    failing.fail({"no such file or folder", "/nowhere/show.toml"});
+    close();
+    EXPECT_EQ(failing.bar->words(), "") << "somebody closed it";
+    look_at({true, "Curtain"});
+    EXPECT_TRUE(failing.bar->words().contains("behind 'Curtain'"));
+    look_at({});
+    EXPECT_EQ(failing.bar->words(), "");
+}
+
 TEST(NotOpened, without_a_file_there_is_nothing_to_open_and_the_next_show_takes_the_line_away) {
     Failing failing;
     failing.fail({"no such file or folder", "/nowhere/show.toml"});

@@ -32,6 +32,7 @@ private:
         bool puts_away = line.isEmpty(); // the notice: it was all that there was to decide
     };
     void ask(const QString& words, const std::vector<Answer>& answers, Kind kind = Kind::question);
+    void put_away();
     void say_not_opened();
     void say_unseen();
     void say_without_optics();
@@ -41,6 +42,7 @@ private:
     AppModel& app_;
     QString words_;
     bool says_not_opened_ = false, says_unseen_ = false, says_refused_ = false;
+    bool closed_unseen_ = false;   // by hand, until it is another one
     std::set<std::string> errors_; // of the show that was open, without their lines, which move
 };
 

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the window is told of heads that the picture leaves dark, for nobody asks for them: that they are
+// dark.
+#include "live/engine/rig_news.h"
+
+#include "support/demo_copy.h"
+#include "support/must.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <string>
+
+namespace ghost::app {
+namespace {
+
+struct Told {
+    ui::RigNow rig;
+    std::vector<ui::Verdict> verdicts;
+
+    float most_dimmer() const {
+        float most = 0;
+        for (const ui::FixtureNow& now : rig.fixtures) most = std::max(most, now.dimmer);
+        return most;
+    }
+    std::ptrdiff_t lit() const {
+        return std::count_if(verdicts.begin(), verdicts.end(), [](const ui::Verdict& verdict) {
+            return verdict.visibility == scene::Visibility::lit ||
+                   verdict.visibility == scene::Visibility::unseen;
+        });
+    }
+    std::size_t unasked() const {
+        return static_cast<std::size_t>(
+            std::count_if(verdicts.begin(), verdicts.end(), [](const ui::Verdict& verdict) {
+                return verdict.cause == scene::Cause::unasked &&
+                       verdict.visibility == scene::Visibility::dark &&
+                       verdict.group == "nobody asks for them while the work light is on";
+            }));
+    }
+};
+
+TEST(RigNews, heads_that_are_left_dark_are_dark_in_lists_and_verdicts) {
+    SessionOptions options;
+    options.show = DemoCopy::show();
+    options.width = 64;
+    options.height = 36;
+    options.live = true;
+    options.shadows = false;
+    options.quiet = true;
+    const auto session = must(open_session(options));
+    session->show->motion = fixture::Motion::as_commanded;
+    std::map<int, dmx::Levels> levels; // in the place of files that have their heads open
+    for (const scene::PatchedFixture& fixture : session->show->fixtures) {
+        const auto first = static_cast<std::size_t>(fixture.address) - 1;
+        const bool is_wash = fixture.gdtf.string().find("Wash") != std::string::npos;
+        dmx::Levels& of_universe = levels[fixture.universe];
+        of_universe[first] = 255;                              // dimmer
+        of_universe[first + 1] = of_universe[first + 3] = 128; // in the middle
+        of_universe[first + (is_wash ? 9 : 16)] = 255;         // shutter, or iris
+    }
+    dmx::Universes full;
+    for (const auto& [universe, values] : levels)
+        full.at(static_cast<std::uint16_t>(universe)).levels = std::make_shared<const dmx::Levels>(values);
+    const LiveInput input(nullptr);
+    const bake::Tracer rays(session->live->solid());
+    ui::Link link;
+    link.on_news = [] {};
+    RigNews news(link);
+    double now_s = 0;
+    const auto told = [&](bool leaves) {
+        now_s += 10;
+        session->rig->leave_unasked_dark(leaves);
+        session->rig->step(full, 1);
+        news.publish(*session, input, session->lit(), {}, now_s);
+        news.explain(
+            {.fixture = {}, .hovered = {}, .all = true}, *session, input, {},
+            [&]() -> const bake::Tracer& { return rays; }, now_s);
+        return Told{link.rig.take().value(), link.verdicts.take().value()};
+    };
+    const Told shining = told(false);
+    ASSERT_GT(shining.most_dimmer(), 0.5f);
+    ASSERT_GT(shining.lit(), 0);
+    const Told dark = told(true);
+    EXPECT_EQ(dark.most_dimmer(), 0);
+    EXPECT_EQ(dark.lit(), 0);
+    EXPECT_GT(dark.unasked(), 0u);
+    EXPECT_EQ(dark.unasked(), session->rig->left_dark());
+}
+
+} // namespace
+} // namespace ghost::app
