@@ -78,6 +78,29 @@ TEST_F(LivePictureTest, has_fewer_pixels_while_anything_moves_and_all_of_them_at
     EXPECT_EQ(draw(3, false).from->width, 80);
 }
 
+TEST_F(LivePictureTest, lands_where_lights_move_when_its_stage_is_drawn) {
+    open();
+    (void)draw(1, true);
+    const double rests_s = 1 + LivePicture::kRest_s;
+    (void)draw(rests_s, true);
+    EXPECT_TRUE(session_->flies) << "the flight's picture goes on, the next one's stage is begun";
+    camera_.position_m.x += 0.1f;
+    (void)draw(rests_s + 0.1, true);
+    EXPECT_TRUE(session_->flies) << "it moved again";
+    int pictures = 0;
+    for (; session_->flies && pictures < 1000; ++pictures) (void)draw(rests_s + 1 + 0.01 * pictures, true);
+    EXPECT_GE(pictures, 2);
+    EXPECT_FALSE(session_->flies);
+    EXPECT_EQ(shown_.position_m, camera_.position_m);
+    EXPECT_FALSE(session_->live->g_buffer().pose().single);
+    (void)session_->draw();
+    const auto landed = session_->relighter->picture();
+    session_->drop_parked();
+    session_->relighter->draw_anew();
+    (void)session_->draw();
+    EXPECT_EQ(session_->relighter->picture().pixels, landed.pixels);
+}
+
 TEST_F(LivePictureTest, what_rests_can_be_stopped_before_it_is_begun) {
     open();
     (void)draw(1, true);

@@ -392,6 +392,36 @@ TEST_F(GBufferTest, AStoppedOneGoesOnWhereItWas) {
     }
 }
 
+// The stage takes a second to draw, what is around it a few milliseconds.
+TEST_F(GBufferTest, OtherSurroundingsNeedNoOtherSamples) {
+    scene::Stage stage = room();
+    add(stage, quad({-2, 2, -1}, {2.013f, 0, 0.3f}, {0, 0, 9}, 1));
+    Report report;
+    StageModel model(device(), stage, report);
+    model.mark_moving(1);
+    const Pose pose = pose_of(camera_at({0, -10, 3}, {0, 10, 3}, 40, 100, 75));
+    Surroundings before, after;
+    before.ambient = glm::vec3(2);
+    after.ambient = glm::vec3(1, 3, 5);
+    after.haze.extinction_per_m = 0.05f;
+    after.work_lux = 100;
+    GBuffer one(device(), 100, 75), other(device(), 100, 75);
+    one.draw(model, pose, before);
+    model.move(1, glm::translate(glm::mat4(1.0f), glm::vec3(0.3f, 0, 0)));
+    EXPECT_TRUE(one.draw(model, pose, after));
+    EXPECT_TRUE(one.shows(pose, after));
+    EXPECT_FALSE(one.shows(pose, before));
+    for (const gpu::Span& span : one.spans()) EXPECT_NE(span.name, "raster");
+    other.draw(model, pose, after);
+    const Picture a = read(one), b = read(other);
+    EXPECT_EQ(a.extras, b.extras);
+    for (std::size_t pixel = 0; pixel < a.pixels(); ++pixel) {
+        ASSERT_EQ(a.places[pixel], b.places[pixel]) << pixel;
+        ASSERT_EQ(a.base[pixel], b.base[pixel]) << pixel;
+        ASSERT_EQ(a.diffuse[pixel], b.diffuse[pixel]) << pixel;
+    }
+}
+
 TEST_F(GBufferTest, TheSameCameraGivesTheSameBits) {
     scene::Stage stage = room();
     add(stage, quad({-2, 2, -1}, {2.013f, 0, 0.3f}, {0, 0, 9}, 1));
