@@ -98,7 +98,7 @@ TEST_F(LivePictureTest, lands_where_lights_move_when_its_stage_is_drawn) {
     session_->drop_parked();
     session_->relighter->draw_anew();
     (void)session_->draw();
-    EXPECT_EQ(session_->relighter->picture().pixels, landed.pixels);
+    EXPECT_EQ(session_->relighter->picture().samples, landed.samples);
 }
 
 TEST_F(LivePictureTest, what_rests_can_be_stopped_before_it_is_begun) {
