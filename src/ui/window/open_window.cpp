@@ -45,12 +45,14 @@ void take_message(QtMsgType type, const QMessageLogContext&, const QString& text
                   "writes pictures and films");
         std::_Exit(1);
     }
-    // Qt says so and ends the program, on X11 and on Wayland; the draft is on disk by then.
-    static bool has_told = false;
-    if (type == QtWarningMsg && text.contains("connection broke") && !std::exchange(has_told, true))
+    // Qt says so and ends the program, on X11 and on Wayland, by exit(), whose destructors take away what
+    // other threads draw with. The draft is on disk by then.
+    if (type == QtWarningMsg && text.contains("connection broke")) {
         log_error("the display is gone: " + text.toStdString() +
                   " The window ends; changes that were not saved are offered when the show is opened again");
-    else if (type == QtCriticalMsg)
+        std::_Exit(1);
+    }
+    if (type == QtCriticalMsg)
         log_error(text.toStdString());
     else
         log_debug(text.toStdString());
