@@ -122,6 +122,17 @@ class Wayland(unittest.TestCase):
     def tearDownClass(cls):
         cls.weston.ends()
 
+    def press(self, window, holds):
+        """F11, and once more where the compositor, on a busy machine, had not given its focus yet."""
+        for _ in range(3):
+            window.xdo("key", "F11")
+            until_s = time.monotonic() + 20
+            while time.monotonic() < until_s:
+                if holds(window.state()):
+                    return
+                time.sleep(0.2)
+        window.until(holds)
+
     def test_full_screen_and_back(self):
         window = self.weston.opens()
         try:
@@ -130,10 +141,8 @@ class Wayland(unittest.TestCase):
             before = window.place()
             self.assertGreater(screen.own().shape[1], SIZE[0] - 20, "it is opened maximised")
             screen.at(before[0] + 200, before[1] + 200)
-            window.xdo("key", "F11")
-            window.until(lambda state: state["view"][2:] == list(SIZE))
-            window.xdo("key", "F11")
-            window.until(lambda state: state["view"] == before)
+            self.press(window, lambda state: state["view"][2:] == list(SIZE))
+            self.press(window, lambda state: state["view"] == before)
             screen.until_alike("back from full screen")
             window.do("second-display window", "wait 1", "second-display off", "wait 0.5")
             screen.until_alike("a second window came and went")
