@@ -76,7 +76,9 @@ LivePicture::Drawn LivePicture::draw(Session& session, const Wanted& wanted, con
     const bool lands = flew && !flies_;
     const bool gains = moves && !flies_ && (lands || is_larger(camera, from_));
     was_prepared_ = was_prepared_ && gains;
-    const bool waits = gains && !prepare_part(camera, lands ? kLandingPart_s : kPart_s, session);
+    // Where a picture takes long, nobody wants to wait for many of them.
+    const double part_s = lands ? std::max(kLandingPart_s, 1e-3 * drew_ms_) : kPart_s;
+    const bool waits = gains && !prepare_part(camera, part_s, session);
     if (waits) {
         camera.width = from_.width;
         camera.height = from_.height;
@@ -100,6 +102,7 @@ LivePicture::Drawn LivePicture::draw(Session& session, const Wanted& wanted, con
     session.relighter->set_tone(session.options.tone);
     session.relighter->set_most_lights(moves ? lights_in(1000.0 / wanted.quality.fps) : 0);
     drawn.statistics = session.draw(wanted.air_s, moves ? std::function<bool()>{} : stop);
+    drew_ms_ = drawn.statistics.draw_ms;
     return drawn;
 }
 

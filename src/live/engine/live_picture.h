@@ -84,6 +84,7 @@ private:
     bool is_unusual_ = false;   // it has another size, or a camera that begins or ends to fly
     bool was_prepared_ = false; // the next size, in the picture before
     double flew_s_ = -1;        // when its camera moved last
+    double drew_ms_ = 0;        // what it took, without what was made beside it
     bool flies_ = false;        // drawn as Session::look_from says
     float work_lux_ = 0;
     double light_ms_ = 0; // of a light that turns, where many do; 0: not known
