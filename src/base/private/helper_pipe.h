@@ -8,13 +8,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
-#include <string_view>
 
 namespace ghost {
-
-// In the environment of a helper. One whose main() does not know the command would start another one, which
-// would do so, too.
-inline constexpr std::string_view kIsHelper = "GHOSTLIGHT_IS_HELPER=1";
 
 inline constexpr int kHelperDescriptor = 3; // in the helper, after the three that every process has
 

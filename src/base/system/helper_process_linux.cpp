@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "base/helper_process.h"
 
+#include "base/private/helper_environment.h"
 #include "base/private/helper_pipe.h"
 
 #include <array>
 #include <cerrno>
 #include <csignal>
-#include <cstdlib>
 #include <cstring>
 #include <ctime>
 #include <string>
-#include <vector>
 
 #include <fcntl.h>
 #include <poll.h>
@@ -92,11 +91,6 @@ void allow_computing_only() {
     seccomp_release(filter);
 }
 
-bool is_helper_here() {
-    const std::string name(kIsHelper.substr(0, kIsHelper.find('=')));
-    return std::getenv(name.c_str()) != nullptr;
-}
-
 } // namespace
 
 std::ptrdiff_t write_to_helper(int descriptor, Bytes bytes) {
@@ -119,7 +113,7 @@ bool wait_for_helper(int descriptor, int wait_ms) {
 }
 
 Result<HelperProcess> HelperProcess::start(const std::string& command) {
-    if (is_helper_here())
+    if (is_helper())
         return Error{"this program is a helper whose main() does not know '" + command + "'", ""};
     std::array<int, 2> ends{};
     if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0)
@@ -138,10 +132,7 @@ Result<HelperProcess> HelperProcess::start(const std::string& command) {
     posix_spawnattr_setsigmask(&attributes, &none);
     std::string name = "ghostlight", argument = command;
     char* arguments[] = {name.data(), argument.data(), nullptr};
-    std::string is_helper(kIsHelper);
-    std::vector<char*> environment{is_helper.data()};
-    for (char** one = environ; *one; ++one) environment.push_back(*one);
-    environment.push_back(nullptr);
+    HelperEnvironment environment;
     pid_t process = 0;
     const int fault =
         ::posix_spawn(&process, "/proc/self/exe", &actions, &attributes, arguments, environment.data());

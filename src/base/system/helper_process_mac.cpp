@@ -5,15 +5,14 @@
 // in part.
 #include "base/helper_process.h"
 
+#include "base/private/helper_environment.h"
 #include "base/private/helper_pipe.h"
 
 #include <array>
 #include <cerrno>
 #include <csignal>
-#include <cstdlib>
 #include <cstring>
 #include <string>
-#include <vector>
 
 #include <fcntl.h>
 #include <libproc.h>
@@ -26,8 +25,6 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-extern char** environ;
-
 namespace ghost {
 namespace {
 
@@ -38,11 +35,6 @@ void limit(int resource, rlim_t most) {
 
 Error not_started(int fault) {
     return Error{std::string("cannot start a helper: ") + std::strerror(fault), ""};
-}
-
-bool is_helper_here() {
-    const std::string name(kIsHelper.substr(0, kIsHelper.find('=')));
-    return std::getenv(name.c_str()) != nullptr;
 }
 
 } // namespace
@@ -67,7 +59,7 @@ bool wait_for_helper(int descriptor, int wait_ms) {
 }
 
 Result<HelperProcess> HelperProcess::start(const std::string& command) {
-    if (is_helper_here())
+    if (is_helper())
         return Error{"this program is a helper whose main() does not know '" + command + "'", ""};
     std::array<char, 4096> file{};
     auto size = static_cast<std::uint32_t>(file.size());
@@ -96,10 +88,7 @@ Result<HelperProcess> HelperProcess::start(const std::string& command) {
     posix_spawnattr_setsigmask(&attributes, &none);
     std::string name = "ghostlight", argument = command;
     char* arguments[] = {name.data(), argument.data(), nullptr};
-    std::string is_helper(kIsHelper);
-    std::vector<char*> environment{is_helper.data()};
-    for (char** one = environ; *one; ++one) environment.push_back(*one);
-    environment.push_back(nullptr);
+    HelperEnvironment environment;
     pid_t process = 0;
     const int fault =
         ::posix_spawn(&process, file.data(), &actions, &attributes, arguments, environment.data());

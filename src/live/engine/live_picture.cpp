@@ -66,6 +66,7 @@ LivePicture::Drawn LivePicture::draw(Session& session, const Wanted& wanted, con
     fit_into_memory(wanted.camera, session);
     scene::Camera camera = camera_for(wanted, moves);
     if (!moves && !session.prepare(camera, stop)) {
+        flies_ = flew; // it has not landed yet
         drawn.statistics.stopped = true;
         return drawn;
     }

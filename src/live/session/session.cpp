@@ -269,14 +269,14 @@ void Session::look_from(const scene::Camera& from, bool goes_on) {
 }
 
 void Session::look_from(const scene::Camera& from, bool goes_on, bool coarse) {
-    const bool stays = relighter && !is_another(from, goes_on);
+    const bool stays = !is_another(from, goes_on);
     bool keeps = options.parks;
     if (!stays) {
         std::swap(relighter, parked);
         std::swap(other_light, parked_other_light);
         std::swap(flies, parked_flies);
         keeps = parked && parks(from);
-        if (relighter && is_another(from, goes_on)) {
+        if (is_another(from, goes_on)) {
             relighter.reset();
             other_light.reset();
         }

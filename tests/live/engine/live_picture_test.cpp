@@ -114,6 +114,20 @@ TEST_F(LivePictureTest, what_rests_can_be_stopped_before_it_is_begun) {
     EXPECT_EQ(draw(3, false).from->width, 160);
 }
 
+TEST_F(LivePictureTest, a_landing_that_is_stopped_is_taken_up_again) {
+    open();
+    quality_.percent = 100; // a flight is as large as what rests
+    (void)draw(1, true);
+    camera_.position_m.x += 1; // nothing that rests is kept from there
+    (void)draw(1.1, true);
+    ASSERT_TRUE(session_->flies);
+    EXPECT_TRUE(draw(2, false, [] { return true; }).statistics.stopped);
+    EXPECT_TRUE(session_->flies);
+    (void)draw(3, false);
+    EXPECT_FALSE(session_->flies);
+    EXPECT_FALSE(session_->live->g_buffer().pose().single);
+}
+
 TEST_F(LivePictureTest, work_light_changes_it_and_goes_with_the_exposure) {
     open();
     (void)draw(1, true);
