@@ -152,7 +152,7 @@ private:
     SideViews side_views_{link_};
     ui::FalseColour false_colour_;                             // of the picture that was published last
     fixture::Motion motion_ = fixture::Motion::as_the_machine; // of the show
-    LivePicture live_{messages_, probe_};
+    LivePicture live_{messages_};
     BakedSupply baked_; // refers to the session, and goes before it
     struct {
         bool is_baked = false;

@@ -109,15 +109,14 @@ bool Engine::leaves_unasked_dark() const {
 
 render::FrameStatistics Engine::draw_live(const scene::Camera& asked, double begin_s) {
     const scene::Camera wanted = steadied(asked, shown_.camera);
-    const LivePicture::Drawn drawn =
-        live_.draw(*session_,
-                   {.camera = wanted,
-                    .quality = request_.quality,
-                    .has_work_light = has_work_light(),
-                    .is_measured = request_.false_colour.measure != ui::Measure::none,
-                    .moves = is_moving(begin_s),
-                    .air_s = air_s_},
-                   shown_.camera, begin_s, stop_of(begin_s));
+    const LivePicture::Drawn drawn = live_.draw(*session_,
+                                                {.camera = wanted,
+                                                 .quality = request_.quality,
+                                                 .has_work_light = has_work_light(),
+                                                 .measure = request_.false_colour.measure,
+                                                 .moves = is_moving(begin_s),
+                                                 .air_s = air_s_},
+                                                shown_.camera, begin_s, stop_of(begin_s));
     if (drawn.changed) last_change_s_ = begin_s;
     if (drawn.from) {
         shown_.camera = *drawn.from;
@@ -251,7 +250,10 @@ void Engine::frame() {
     if (drew || request_.false_colour != false_colour_ || baked_.words() != supply_sent_ || has_more_maps)
         publish_picture(statistics, draw_ms);
     if (drew) {
-        if (!baked && last_change_s_ == begin_s) live_.learn(statistics, draw_ms, request_.quality.fps);
+        // Beside luminances and lux the picture itself takes no time.
+        const bool is_measured = request_.false_colour.measure != ui::Measure::none;
+        const double all_ms = is_measured ? 1e3 * (now_s() - begin_s) : draw_ms;
+        if (!baked && last_change_s_ == begin_s) live_.learn(statistics, all_ms, request_.quality.fps);
     } else if (!statistics.stopped) {
         arrival_ = std::chrono::nanoseconds{0}; // they changed nothing that is seen
     }

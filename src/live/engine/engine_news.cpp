@@ -86,7 +86,7 @@ void Engine::publish_picture(const render::FrameStatistics& statistics, double d
         relighter().copy_picture(*image);
         picture.image = image;
     } else {
-        picture.image = probe_.false_colours(request_.false_colour, shown());
+        picture.image = probe_.false_colours(request_.false_colour, shown(), !is_moving(now_s()));
     }
     shown_.is_black = picture.image && is_black(*picture.image);
     picture.false_colour = false_colour_ = request_.false_colour;

@@ -61,6 +61,7 @@ LivePicture::Drawn LivePicture::draw(Session& session, const Wanted& wanted, con
         flew_s_ = now_s;
         drawn.changed = true;
     }
+    measure_ = wanted.measure;
     const bool flew = std::exchange(flies_, now_s - flew_s_ < kRest_s);
     const bool moves = wanted.moves || drawn.changed;
     fit_into_memory(wanted.camera, session);
@@ -70,8 +71,9 @@ LivePicture::Drawn LivePicture::draw(Session& session, const Wanted& wanted, con
         drawn.statistics.stopped = true;
         return drawn;
     }
-    bool uses_coarse =
-        moves && wanted.quality.percent == 0 && pace().level().coarse_light && !wanted.is_measured;
+    // Luminances are those of all its light; beside lux nobody sees it.
+    bool uses_coarse = moves && wanted.quality.percent == 0 && pace().level().coarse_light &&
+                       measure_ != ui::Measure::luminance;
     // A better level, and what was left out of a flight, come when the stage is drawn, which takes a second:
     // a part in each picture, of which those after a flight are larger.
     const bool lands = flew && !flies_;
@@ -91,7 +93,6 @@ LivePicture::Drawn LivePicture::draw(Session& session, const Wanted& wanted, con
         camera.width != session.relighter->width() || camera.height != session.relighter->height();
     is_unusual_ = waits || flies_ != flew || is_other_size || uses_coarse != session.relighter->is_coarse();
     if (std::exchange(sees_else_, false) || !same_view(camera, from_)) {
-        if (is_other_size) probe_.forget_meter();
         session.look_from(camera, flies_, uses_coarse);
         session.relighter->set_exposure(wanted.camera.ev100, wanted.camera.auto_exposure);
         from_ = camera;
@@ -173,15 +174,15 @@ void LivePicture::learn(const render::FrameStatistics& statistics, double draw_m
     if (is_unusual_) return; // the first one costs what no other does
     // A fade draws no light: what it takes says nothing of the lights that turn next.
     if (statistics.drawn == 0 && statistics.mended == 0 && draw_ms <= 1000.0 / frames_per_s) return;
-    paces_[flies_ ? 1 : 0].add(draw_ms, frames_per_s);
+    paces_[kind()].add(draw_ms, frames_per_s);
     if (statistics.drawn < kMany) return;
     const double ms = draw_ms / statistics.drawn;
     light_ms_ = light_ms_ == 0 ? ms : light_ms_ + kOfNew * (ms - light_ms_);
 }
 
-void LivePicture::take_air(const Session& session) {
+void LivePicture::take_air(Session& session) {
     session.relighter->set_quality(haze_);
-    probe_.forget_meter(); // it knows one air
+    session.lux_light.reset(); // it knows one air
     look_anew();
 }
 

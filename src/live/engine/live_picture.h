@@ -8,7 +8,6 @@
 #include "link/link.h"
 #include "live/engine/message_board.h"
 #include "live/engine/pace.h"
-#include "live/engine/picture_probe.h"
 #include "live/session/session.h"
 #include "render/haze/quality.h"
 
@@ -24,21 +23,21 @@ public:
     // Without a change, until the picture is drawn with all its pixels.
     static constexpr double kRest_s = 0.2;
 
-    // messages: where short memory is said. probe: forgets what refers to a picture that goes.
-    LivePicture(MessageBoard& messages, PictureProbe& probe) : messages_(messages), probe_(probe) {}
+    // messages: where short memory is said.
+    explicit LivePicture(MessageBoard& messages) : messages_(messages) {}
 
     // Another session is drawn from now on.
     void begin();
     // Of a show of so many fixtures: nothing is known of how fast it is drawn.
-    void begin_show(std::size_t fixtures) { paces_ = {Pace(fixtures), Pace(fixtures)}; }
+    void begin_show(std::size_t fixtures) { paces_ = {Pace(fixtures), Pace(fixtures), Pace(fixtures)}; }
 
     struct Wanted {
         const scene::Camera& camera; // size: pixels of the window
         ui::PictureQuality quality;
         bool has_work_light;
-        bool is_measured; // false colours are shown of it, which need all of its light
-        bool moves;       // something does, beside what draw() sees
-        double air_s;     // age of the swirls
+        ui::Measure measure; // shown of it in its place
+        bool moves;          // something does, beside what draw() sees
+        double air_s;        // age of the swirls
     };
     struct Drawn {
         render::FrameStatistics statistics;
@@ -55,7 +54,7 @@ public:
     // The camera sees something else from the next picture on.
     void look_anew() { sees_else_ = true; }
     // Likewise: the session has other air.
-    void take_air(const Session& session);
+    void take_air(Session& session);
     // True: they are others, and all is drawn anew.
     bool set_haze_samples(int samples, const Session& session);
     // Of any picture of the session.
@@ -72,20 +71,22 @@ private:
     void fit_into_memory(const scene::Camera& wanted, Session& session);
     scene::Camera camera_for(const Wanted& wanted, bool moves) const;
     int lights_in(double frame_ms) const;
-    const Pace& pace() const { return paces_[flies_ ? 1 : 0]; }
+    std::size_t kind() const { return measure_ == ui::Measure::lux ? 2 : flies_ ? 1 : 0; } // of paces_
+    const Pace& pace() const { return paces_[kind()]; }
 
     MessageBoard& messages_;
-    PictureProbe& probe_;
-    std::array<Pace, 2> paces_{Pace(0), Pace(0)}; // of a camera that stands, and of one that flies
-    render::HazeQuality haze_;                    // of the relighter
-    glm::ivec2 whole_{0}, whole_for_{0};          // pixels that memory holds; of those that are wanted
-    scene::Camera from_;                          // of the one that was drawn last
-    bool sees_else_ = false;                      // since then
-    bool is_unusual_ = false;   // it has another size, or a camera that begins or ends to fly
-    bool was_prepared_ = false; // the next size, in the picture before
-    double flew_s_ = -1;        // when its camera moved last
-    double drew_ms_ = 0;        // what it took, without what was made beside it
-    bool flies_ = false;        // drawn as Session::look_from says
+    // Of a camera that stands, of one that flies, and of lux, which cost a second picture.
+    std::array<Pace, 3> paces_{Pace(0), Pace(0), Pace(0)};
+    render::HazeQuality haze_;           // of the relighter
+    glm::ivec2 whole_{0}, whole_for_{0}; // pixels that memory holds; of those that are wanted
+    scene::Camera from_;                 // of the one that was drawn last
+    bool sees_else_ = false;             // since then
+    bool is_unusual_ = false;            // it has another size, or a camera that begins or ends to fly
+    bool was_prepared_ = false;          // the next size, in the picture before
+    double flew_s_ = -1;                 // when its camera moved last
+    double drew_ms_ = 0;                 // what it took, without what was made beside it
+    bool flies_ = false;                 // drawn as Session::look_from says
+    ui::Measure measure_ = ui::Measure::none;
     float work_lux_ = 0;
     double light_ms_ = 0; // of a light that turns, where many do; 0: not known
 };

@@ -26,18 +26,16 @@ float at_place(const image::ImageF& picture, const glm::vec2& place) {
 void PictureProbe::forget() {
     coming_tracer_ = {};
     tracer_.reset();
-    meter_.reset();
     frame_ = {};
 }
 
 std::shared_ptr<const image::Image8> PictureProbe::false_colours(const ui::FalseColour& wanted,
-                                                                 const ShownPicture& shown) {
+                                                                 const ShownPicture& shown, bool rests) {
     image::ImageF values;
     if (wanted.measure == ui::Measure::luminance) {
         values = luminance_of(shown.relighter.frame());
     } else {
-        if (!meter_) meter_ = std::make_unique<LightMeter>(shown.session);
-        values = meter_->lux_picture(shown.lights);
+        values = lux_picture(shown.session, shown.lights, rests);
     }
     return std::make_shared<const image::Image8>(image::false_coloured(values, wanted.scale));
 }

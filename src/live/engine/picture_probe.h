@@ -16,7 +16,7 @@ namespace ghost::app {
 
 // What is shown now.
 struct ShownPicture {
-    const Session& session;
+    Session& session;
     render::Relighter& relighter; // of the live picture, or of a baked one
     const scene::FrameLights& lights;
     const scene::Camera& camera;
@@ -26,8 +26,9 @@ class PictureProbe {
 public:
     explicit PictureProbe(ui::Link& link) : link_(link) {}
 
+    // rests: nothing moves in it.
     std::shared_ptr<const image::Image8> false_colours(const ui::FalseColour& wanted,
-                                                       const ShownPicture& shown);
+                                                       const ShownPicture& shown, bool rests);
     // drew: it is another picture than at the last call.
     void probe(const std::optional<glm::vec2>& place, const ShownPicture& shown, double now_s, bool drew);
     // The same of a picture from elsewhere; luminance: of its pixels.
@@ -43,10 +44,8 @@ public:
     // is there.
     const bake::Tracer* tracer_if_made(const Session& session);
 
-    // The session is another one; the picture has another size, or its air is another; it is of another
-    // camera.
+    // The session is another one; the picture is of another camera.
     void forget();
-    void forget_meter() { meter_.reset(); }
     void forget_frame() { frame_ = {}; }
 
 private:
@@ -57,8 +56,7 @@ private:
     std::uint64_t traced_changes_ = 0;
     std::unique_ptr<bake::Tracer> tracer_; // made when something is to be explained or measured
     std::future<std::unique_ptr<bake::Tracer>> coming_tracer_; // reads the stage: waited for before that goes
-    std::unique_ptr<LightMeter> meter_; // made when lux are to be shown; refers to the session's picture
-    image::ImageF frame_;               // cd/m^2 of the picture, made when they are asked for
+    image::ImageF frame_; // cd/m^2 of the picture, made when they are asked for
     std::optional<glm::vec2> probed_place_;
     double probed_s_ = 0;
     std::uint64_t saved_ = 0, picked_ = 0; // numbers of the last requests

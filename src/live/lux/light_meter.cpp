@@ -6,39 +6,38 @@
 #include "show/camera_moves.h"
 
 #include <cmath>
+#include <memory>
 
 namespace ghost::app {
 namespace {
 
 constexpr std::uint64_t kFewImages = 1; // bytes: it keeps none
 
-} // namespace
-
-LightMeter::LightMeter(const Session& session) : session_(session) {
+// One more relighter of the session, for it has to hear of what moves in the picture as the others do.
+void make_lux_light(Session& session) {
     render::Settings settings = draw_settings(session.atmosphere(), session.live->camera(), session.options);
     settings.illuminance = true;
     settings.air = false;
     settings.lens.on = false;
     settings.glare.strength = 0;
-    settings.reuse = false;
-    settings.workers = false;
     settings.beams.most_wide_step = 1;
     settings.image_memory_bytes = kFewImages;
-    relighter_ = std::make_unique<render::Relighter>(*session.device, session.live->g_buffer(),
-                                                     session.live->distances(), session.gobos.images,
-                                                     static_cast<int>(session.lit().lights.size()), settings);
+    session.lux_light = std::make_unique<render::Relighter>(
+        *session.device, session.live->g_buffer(), session.live->distances(), session.gobos.images,
+        static_cast<int>(session.lit().lights.size()), settings);
+    session.lux_light->set_flies(session.flies);
+    session.lux_light->set_room_light(session.bounced.get());
 }
 
-image::ImageF LightMeter::lux_picture(const scene::FrameLights& lit) {
-    const Atmosphere air = session_.atmosphere();
-    relighter_->set_air(air.field());
-    relighter_->set_slides(session_.gobos.images.slides);
-    if (bounced_ != session_.bounced) {
-        bounced_ = session_.bounced;
-        relighter_->set_room_light(bounced_.get());
-    }
-    relighter_->draw(lit);
-    image::ImageF lux = luminance_of(relighter_->frame());
+} // namespace
+
+image::ImageF lux_picture(Session& session, const scene::FrameLights& lit, bool rests) {
+    if (!session.lux_light) make_lux_light(session);
+    const Atmosphere air = session.atmosphere();
+    session.lux_light->set_air(air.field());
+    session.lux_light->set_slides(session.gobos.images.slides);
+    session.lux_light->draw(lit, rests ? std::function<bool()>([] { return false; }) : nullptr);
+    image::ImageF lux = luminance_of(session.lux_light->frame());
     const float even = shared::luminance_of(air.ambient); // it comes from everywhere
     for (float& value : lux.samples) value += even;
     return lux;

@@ -1,9 +1,9 @@
 #pragma once
 // SPDX-License-Identifier: Apache-2.0
-// LightMeter: what a light meter would show. lux_picture: illuminance of every surface that a free camera
-// sees, with the shadows of its distance maps and the haze between lamp and surface; drawn on the device.
-// lux_at: the same at one place, by rays. Even light is added to both, and where light bounces, what
-// bounced. Lux; main thread; the session must outlive it.
+// What a light meter would show. lux_picture: illuminance of every surface that a free camera sees, with the
+// shadows of its distance maps and the haze between lamp and surface; drawn on the device. lux_at: the same
+// at one place, by rays. Even light is added to both, and where light bounces, what bounced. Lux; main
+// thread.
 
 #include "image/image.h"
 #include "live/session/session.h"
@@ -11,24 +11,13 @@
 
 #include <functional>
 #include <glm/glm.hpp>
-#include <memory>
 #include <span>
 
 namespace ghost::app {
 
-class LightMeter {
-public:
-    // For the picture that the session has now: another size needs another meter.
-    explicit LightMeter(const Session& session);
-
-    // One channel. lit: what Session::lit gives.
-    image::ImageF lux_picture(const scene::FrameLights& lit);
-
-private:
-    const Session& session_;
-    std::unique_ptr<render::Relighter> relighter_;
-    std::shared_ptr<const scene::BounceVolumes> bounced_; // as the relighter has it
-};
+// One channel; of the live picture that the session has now. lit: what Session::lit gives. rests: nothing
+// moves, so that nothing is kept for the next one.
+image::ImageF lux_picture(Session& session, const scene::FrameLights& lit, bool rests = true);
 
 // cd/m^2 of each pixel, from what Relighter::frame gives; one channel.
 image::ImageF luminance_of(const image::ImageF& frame);

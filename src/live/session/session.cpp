@@ -241,6 +241,15 @@ std::unique_ptr<render::Relighter> Session::make_relighter(const scene::Camera& 
     return made;
 }
 
+void Session::on_lights(const std::function<void(render::Relighter&)>& what) const {
+    for (const auto& one : {relighter.get(), other_light.get(), lux_light.get()})
+        if (one) what(*one);
+}
+
+void Session::take_bounced() {
+    on_lights([&](render::Relighter& one) { one.set_room_light(bounced.get()); });
+}
+
 // Memory holds both pictures, and what a relighter has whatever its picture's size.
 bool Session::parks(const scene::Camera& from) const {
     const std::uint64_t pixels =
@@ -272,6 +281,7 @@ void Session::look_from(const scene::Camera& from, bool goes_on, bool coarse) {
     const bool stays = !is_another(from, goes_on);
     bool keeps = options.parks;
     if (!stays) {
+        lux_light.reset();
         std::swap(relighter, parked);
         std::swap(other_light, parked_other_light);
         std::swap(flies, parked_flies);
@@ -292,15 +302,14 @@ void Session::look_from(const scene::Camera& from, bool goes_on, bool coarse) {
         live->look_from(from, keeps, flies, options.parks && splits_flights) == LiveView::Seen::anew ||
         has_other_maps;
     if (!relighter) relighter = make_relighter(from, coarse);
-    for (const auto& one : {relighter.get(), other_light.get()}) {
-        if (!one) continue;
+    on_lights([&](render::Relighter& one) {
         if (is_anew)
-            one->forget();
+            one.forget();
         else
-            one->touch();
-        one->set_flies(flies);
-        if (!stays) one->set_room_light(bounced.get());
-    }
+            one.touch();
+        one.set_flies(flies);
+        if (!stays) one.set_room_light(bounced.get());
+    });
     use_coarse_light(coarse);
     relighter->set_tone(options.tone);
     relighter->set_exposure(options.ev100.value_or(from.ev100), from.auto_exposure && !options.ev100);
@@ -332,6 +341,7 @@ void Session::stop_drawing() {
     parked.reset();
     parked_other_light.reset();
     other_light.reset();
+    lux_light.reset();
     relighter.reset();
     bounce.reset();
     live.reset();
@@ -354,8 +364,7 @@ void Session::set_bounce(scene::BounceDetail level) {
     bounced.reset();
     if (level != scene::BounceDetail::off)
         bounce = std::make_unique<BounceLight>(*show, live->solid(), level, gobos.images);
-    relighter->set_room_light(nullptr);
-    if (other_light) other_light->set_room_light(nullptr);
+    take_bounced();
     if (live->set_forward_per_m(0)) look_from(live->camera(), flies);
 }
 
@@ -380,8 +389,7 @@ void Session::update_bounce(const scene::FrameLights& lit) {
     }
     if (!solved) return;
     bounced = solved;
-    relighter->set_room_light(bounced.get());
-    if (other_light) other_light->set_room_light(bounced.get());
+    take_bounced();
     if (live->set_forward_per_m(haze.extinction_per_m - bounced->extinction_per_m))
         look_from(live->camera(), flies);
 }
@@ -395,8 +403,7 @@ render::FrameStatistics Session::draw(double time_s, const std::function<bool()>
         const std::size_t printed = report.messages.size();
         for (Message& message : rig->movers().take_messages()) report.messages.push_back(std::move(message));
         if (live->take_maps(report)) {
-            relighter->forget();
-            if (other_light) other_light->forget();
+            on_lights([](render::Relighter& one) { one.forget(); });
             maps_changed_since_parked = true;
         }
         print_report(report, printed);
@@ -405,15 +412,13 @@ render::FrameStatistics Session::draw(double time_s, const std::function<bool()>
         const bool may_lag = is_short_ && show->movers.empty();
         behind_ = may_lag ? (behind_ + 1) % render::LightBudget::kOldest : 0;
         if (behind_ == 0 && live->follow(*rig)) {
-            relighter->touch();
-            if (other_light) other_light->touch();
+            on_lights([](render::Relighter& one) { one.touch(); });
             spans = live->g_buffer().spans();
         }
     }
     const scene::FrameLights shining = lit();
     if (live && live->update_maps(shining.lights)) {
-        relighter->forget();
-        if (other_light) other_light->forget();
+        on_lights([](render::Relighter& one) { one.forget(); });
         maps_changed_since_parked = true;
     }
     update_bounce(shining);

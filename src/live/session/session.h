@@ -92,6 +92,7 @@ struct Session {
     std::unique_ptr<render::Relighter> relighter;
     // Of the same picture: with light at half its size where relighter has it at all of it, or the other way.
     std::unique_ptr<render::Relighter> other_light;
+    std::unique_ptr<render::Relighter> lux_light; // of the same picture, see live/lux/light_meter.h; or null
     // Those of a picture of another size, or of the flight before it, or after which it is.
     std::unique_ptr<render::Relighter> parked, parked_other_light;
     bool parked_flies = false;
@@ -146,6 +147,9 @@ struct Session {
 
 private:
     bool parks(const scene::Camera& from) const;
+    // Each that draws the picture that is shown.
+    void on_lights(const std::function<void(render::Relighter&)>& what) const;
+    void take_bounced();
     std::unique_ptr<render::Relighter> make_relighter(const scene::Camera& from, bool coarse) const;
     void update_bounce(const scene::FrameLights& lit);
     scene::BounceDetail bounce_detail_ = scene::BounceDetail::off;

@@ -34,7 +34,7 @@ protected:
                                                  {.camera = camera_,
                                                   .quality = quality_,
                                                   .has_work_light = has_work_light_,
-                                                  .is_measured = false,
+                                                  .measure = ui::Measure::none,
                                                   .moves = moves,
                                                   .air_s = 0},
                                                  shown_, now_s, stop);
@@ -45,8 +45,7 @@ protected:
     std::unique_ptr<Session> session_;
     ui::Link link_;
     MessageBoard messages_{link_};
-    PictureProbe probe_{link_};
-    LivePicture picture_{messages_, probe_};
+    LivePicture picture_{messages_};
     scene::Camera camera_, shown_;
     ui::PictureQuality quality_;
     bool has_work_light_ = false;

@@ -69,12 +69,12 @@ TEST(LightMeter, straight_below_a_lamp_it_shows_candela_over_the_square_of_metre
     const float wanted = peak_cd * cosine / (floor.distance_m * floor.distance_m);
     EXPECT_NEAR(lux_at(floor, meter.lit, *meter.session, tracer).all, wanted, 0.01f * wanted);
     meter.look_at(floor.position + glm::vec3(1.5f, -1.5f, 2.5f), floor.position);
-    const image::ImageF lux = LightMeter(*meter.session).lux_picture(meter.lit);
+    const image::ImageF lux = lux_picture(*meter.session, meter.lit);
     EXPECT_NEAR(*lux.at(48, 36), wanted, 0.02f * wanted);
     // Even light adds what the show says.
     meter.session->show->ambient_lux = 50;
     EXPECT_NEAR(lux_at(floor, meter.lit, *meter.session, tracer).all, wanted + 50, 0.01f * wanted);
-    EXPECT_NEAR(*LightMeter(*meter.session).lux_picture(meter.lit).at(48, 36), wanted + 50, 0.02f * wanted);
+    EXPECT_NEAR(*lux_picture(*meter.session, meter.lit).at(48, 36), wanted + 50, 0.02f * wanted);
 }
 
 TEST(LightMeter, the_picture_and_the_rays_say_the_same) {
@@ -85,7 +85,7 @@ TEST(LightMeter, the_picture_and_the_rays_say_the_same) {
     meter.session->rig->step({}, 0, programmer);
     meter.lit = meter.session->lit();
     meter.look_at({0, -9, 4}, {0, 4, 1});
-    const image::ImageF lux = LightMeter(*meter.session).lux_picture(meter.lit);
+    const image::ImageF lux = lux_picture(*meter.session, meter.lit);
     const bake::DenormalsOff mode;
     const bake::Tracer tracer(meter.session->live->solid());
     std::vector<float> ratios;
@@ -108,6 +108,62 @@ TEST(LightMeter, the_picture_and_the_rays_say_the_same) {
     // A pixel is decimetres of stage with its edges and half-shadows, a ray is a point.
     EXPECT_GT(at(0.25), 0.75);
     EXPECT_LT(at(0.75), 1.25);
+}
+
+// Of two pictures, in lux.
+float most_difference(const image::ImageF& a, const image::ImageF& b) {
+    float most = 0;
+    for (std::size_t i = 0; i < a.samples.size(); ++i)
+        most = std::max(most, std::abs(a.samples[i] - b.samples[i]));
+    return most;
+}
+
+TEST(LightMeter, of_what_moves_the_picture_is_that_of_a_meter_that_is_new) {
+    Meter meter;
+    std::map<std::size_t, fixture::Programmer> programmer;
+    const auto turn = [&](float pan_deg) {
+        for (std::size_t i = 0; i < meter.session->show->fixtures.size(); ++i)
+            programmer[i] = {.intensity = 1.0f, .zoom_deg = 30.0f, .pan_deg = pan_deg, .tilt_deg = 20.0f};
+        meter.session->rig->step({}, 0, programmer);
+        meter.session->draw();
+        meter.lit = meter.session->lit();
+    };
+    const auto measured = [&] { return lux_picture(*meter.session, meter.lit, false); };
+    const auto measured_anew = [&] {
+        meter.session->lux_light.reset();
+        return measured();
+    };
+    const auto brightest = [](const image::ImageF& lux) {
+        return *std::max_element(lux.samples.begin(), lux.samples.end());
+    };
+    turn(0);
+    meter.look_at({0, -9, 4}, {0, 4, 1});
+    for (int k = 0; k < 3; ++k) (void)measured(); // what surfaces see of lamps is kept by then
+    // The camera moves,
+    meter.look_at({3, -8, 3}, {-1, 4, 2});
+    const image::ImageF from_there = measured();
+    ASSERT_GT(brightest(from_there), 100);
+    EXPECT_LT(most_difference(from_there, measured_anew()), 0.002f * brightest(from_there));
+    // heads that are seen turn,
+    meter.look_at({0, 2, 9}, {0, 4, 0});
+    for (int k = 0; k < 3; ++k) (void)measured();
+    turn(40);
+    const image::ImageF turned = measured();
+    ASSERT_GT(brightest(turned), 100);
+    EXPECT_LT(most_difference(turned, measured_anew()), 0.002f * brightest(turned));
+    // and a flight has a picture of its own.
+    meter.session->options.parks = true;
+    scene::Camera camera = meter.session->live->camera();
+    camera.position_m.x += 1;
+    meter.session->look_from(camera, true);
+    const image::ImageF flown = measured();
+    ASSERT_GT(brightest(flown), 100);
+    EXPECT_LT(most_difference(flown, measured_anew()), 0.002f * brightest(flown));
+    camera.position_m.x += 1;
+    meter.session->look_from(camera, false);
+    meter.session->drop_parked();
+    const image::ImageF landed = measured();
+    EXPECT_LT(most_difference(landed, measured_anew()), 0.002f * brightest(landed));
 }
 
 TEST(LightMeter, what_is_hidden_throws_no_shadow) {
@@ -133,13 +189,13 @@ TEST(LightMeter, what_is_hidden_throws_no_shadow) {
     meter.look_at(under.position + glm::vec3(0, -1.0f, 0.5f), under.position);
     const float wanted = lux_at(under, meter.lit, *meter.session, tracer).all;
     ASSERT_GT(wanted, 10);
-    EXPECT_LT(*LightMeter(*meter.session).lux_picture(meter.lit).at(48, 36), 0.1f * wanted)
+    EXPECT_LT(*lux_picture(*meter.session, meter.lit).at(48, 36), 0.1f * wanted)
         << "the shadow is there until the maps are made";
     for (int i = 0; i < 600 && (i == 0 || meter.session->live->is_making_maps()); ++i) {
         meter.session->draw();
         std::this_thread::sleep_for(std::chrono::milliseconds(100));
     }
-    EXPECT_NEAR(*LightMeter(*meter.session).lux_picture(meter.lit).at(48, 36), wanted, 0.1f * wanted);
+    EXPECT_NEAR(*lux_picture(*meter.session, meter.lit).at(48, 36), wanted, 0.1f * wanted);
     // And it comes back with the object.
     meter.session->live->show(first_object, true);
     for (int i = 0; i < 600 && (i == 0 || meter.session->live->is_making_maps()); ++i) {
@@ -148,7 +204,7 @@ TEST(LightMeter, what_is_hidden_throws_no_shadow) {
     }
     meter.session->live->show(first_object, false); // so that the floor below is seen
     meter.look_at(under.position + glm::vec3(0, -1.0f, 0.5f), under.position);
-    EXPECT_LT(*LightMeter(*meter.session).lux_picture(meter.lit).at(48, 36), 0.1f * wanted);
+    EXPECT_LT(*lux_picture(*meter.session, meter.lit).at(48, 36), 0.1f * wanted);
 }
 
 } // namespace

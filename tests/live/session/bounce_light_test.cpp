@@ -176,11 +176,11 @@ TEST(BounceLight, the_meter_reads_it_by_rays_and_as_a_picture) {
     session->look_from(session->live->camera());
     session->draw();
     const scene::FrameLights lit = session->lit();
-    const image::ImageF without = LightMeter(*session).lux_picture(lit);
+    const image::ImageF without = lux_picture(*session, lit);
     session->set_bounce(BounceDetail::room);
     session->draw();
     ASSERT_TRUE(session->bounced);
-    const image::ImageF with = LightMeter(*session).lux_picture(lit);
+    const image::ImageF with = lux_picture(*session, lit);
 
     // Only what bounced: no light of a lamp, and none is weakened less.
     const bake::DenormalsOff mode;
