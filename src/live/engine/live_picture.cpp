@@ -62,6 +62,7 @@ LivePicture::Drawn LivePicture::draw(Session& session, const Wanted& wanted, con
         drawn.changed = true;
     }
     measure_ = wanted.measure;
+    if (measure_ != ui::Measure::lux) session.lux_light.reset(); // it has as much memory as the picture
     const bool flew = std::exchange(flies_, now_s - flew_s_ < kRest_s);
     const bool moves = wanted.moves || drawn.changed;
     fit_into_memory(wanted.camera, session);
