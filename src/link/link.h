@@ -181,6 +181,7 @@ struct Picture {
     float ev100 = 0;
     double draw_ms = 0;
     int lights_drawn = 0;
+    std::uint64_t device_bytes = 0;  // that stage and pictures have, those that are kept counted in
     bool is_coarse = false;          // drawn with fewer pixels than asked for, because it moves
     std::size_t missing_maps = 0;    // of lights, that are being made
     std::size_t missing_shadows = 0; // lights that shine and throw none until then

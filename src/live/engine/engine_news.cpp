@@ -95,6 +95,7 @@ void Engine::publish_picture(const render::FrameStatistics& statistics, double d
     picture.ev100 = relighter().ev100_used();
     picture.draw_ms = draw_ms;
     picture.lights_drawn = statistics.drawn;
+    picture.device_bytes = session_->device->memory().used_bytes();
     picture.is_baked = shown_.is_baked;
     picture.supply = supply_sent_ = baked_.words();
     picture.is_coarse = !shown_.is_baked && request_.quality.percent == 0 && !live_.is_whole(shown_.camera);

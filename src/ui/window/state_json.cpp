@@ -125,6 +125,7 @@ QJsonObject state_json(const AppModel& app, const View& view) {
                                  {"draw_ms", picture.draw_ms},
                                  {"coarse", picture.is_coarse},
                                  {"lights_drawn", picture.lights_drawn},
+                                 {"device_mb", static_cast<double>(picture.device_bytes) * 1e-6},
                                  {"missing_maps", static_cast<int>(picture.missing_maps)},
                                  {"missing_shadows", static_cast<int>(picture.missing_shadows)},
                                  {"left_dark", static_cast<int>(picture.left_dark)},
