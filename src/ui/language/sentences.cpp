@@ -158,7 +158,7 @@ private:
 // Rooms without Qt write for terminals, too. What stands in quotes is a name.
 QString with_signs(const QString& english) {
     if (!english.contains(" deg")) return english;
-    static const QRegularExpression kDegrees("(?<=\\d) deg\\b");
+    static const auto kDegrees = QRegularExpression("(?<=\\d) deg\\b");
     QStringList parts = english.split('\'');
     for (qsizetype i = 0; i < parts.size(); i += 2) parts[i].replace(kDegrees, "\u00b0");
     return parts.join('\'');

@@ -8,6 +8,7 @@
 #include <QVBoxLayout>
 
 #include <utility>
+#include <vector>
 
 namespace ghost::ui {
 namespace {
@@ -48,14 +49,18 @@ QString rows(const Actions& actions, const QString& menu) {
 
 QString key_group(const QString& title, const QString& body) {
     if (body.isEmpty()) return {};
-    return QString("<h3>%1</h3><table cellpadding='2'>%2</table>").arg(title, body);
+    return "<h3>" + title + "</h3><table cellpadding='2'>" + body + "</table>";
 }
 
-QString key_groups(const Actions& actions, std::initializer_list<const char*> menus) {
+QString key_groups(const Actions& actions, const std::vector<const char*>& menus) {
     QString text;
     for (const char* const menu : menus) text += key_group(translated("Menu", menu), rows(actions, menu));
     return text;
 }
+
+// Columns of about the same length, so that a display of 1080 lines has all of it.
+const std::vector<const char*> kMenusOfColumns[] = {
+    {"Edit"}, {"View", "Show", "Panels"}, {"Camera", "Play", "Quality", "Help"}};
 
 QString key_column(const QString& body) {
     return "<td valign='top' width='33%'>" + body + "</td>";
@@ -69,12 +74,12 @@ ShortcutSheet::ShortcutSheet(const Actions& actions, QWidget* parent) : QDialog(
     QString mouse;
     for (const auto& [what, does] : kMouse)
         mouse += key_row(translated("Keys", what), translated("Keys", does));
-    // Columns of about the same length, so that a display of 1080 lines has all of it.
-    QString html =
-        "<table cellspacing='14' width='100%'><tr>" +
-        key_column(key_group(translated("Keys", "In the picture"), mouse) + key_groups(actions, {"Edit"}));
-    html += key_column(key_groups(actions, {"View", "Show", "Panels"}));
-    html += key_column(key_groups(actions, {"Camera", "Play", "Quality", "Help"}));
+    QString html = "<table cellspacing='14' width='100%'><tr>";
+    for (const auto& menus : kMenusOfColumns) {
+        const QString first =
+            &menus == kMenusOfColumns ? key_group(translated("Keys", "In the picture"), mouse) : QString();
+        html += key_column(first + key_groups(actions, menus));
+    }
     text->setHtml(html + "</tr></table>");
     auto* layout = new QVBoxLayout(this);
     layout->addWidget(text);
