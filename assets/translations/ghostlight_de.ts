@@ -1689,7 +1689,7 @@
     </message>
     <message>
         <source>Store programmer</source>
-        <translation>Programmer speichern</translation>
+        <translation>Prog. speichern</translation>
     </message>
     <message>
         <source>As a new look</source>
