@@ -1721,7 +1721,7 @@
     </message>
     <message>
         <source> s fade</source>
-        <translation> s Überblenden</translation>
+        <translation> s Zeit</translation>
     </message>
     <message>
         <source>Seconds of the crossfade</source>
