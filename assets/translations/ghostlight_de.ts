@@ -1689,7 +1689,7 @@
     </message>
     <message>
         <source>Store programmer</source>
-        <translation>Programmer speichern</translation>
+        <translation>Prog. speichern</translation>
     </message>
     <message>
         <source>As a new look</source>
@@ -1721,7 +1721,7 @@
     </message>
     <message>
         <source> s fade</source>
-        <translation> s Überblenden</translation>
+        <translation> s Zeit</translation>
     </message>
     <message>
         <source>Seconds of the crossfade</source>
@@ -3055,6 +3055,10 @@
     <message>
         <source>Look %1</source>
         <translation>Look %1</translation>
+    </message>
+    <message>
+        <source>What is made is shown here.</source>
+        <translation>Hier ist zu sehen, was gemacht wird.</translation>
     </message>
 </context>
 <context>
@@ -7397,10 +7401,6 @@ Bitte den Namen des Ordners prüfen.</translation>
 <context>
     <name>Value</name>
     <message>
-        <source> deg</source>
-        <translation>°</translation>
-    </message>
-    <message>
         <source>Unfolds the colours</source>
         <translation>Klappt die Farben auf</translation>
     </message>
@@ -7562,8 +7562,8 @@ Bitte den Namen des Ordners prüfen.</translation>
         <translation>Zuletzt geöffnete Shows</translation>
     </message>
     <message>
-        <source>Drop a show, an .mvr or a model anywhere here. A desk that sends sACN or Art-Net is heard as soon as a show is open.</source>
-        <translation>Eine Show, eine .mvr oder ein Modell irgendwo hierher ziehen. Ein Pult, das sACN oder Art-Net sendet, ist zu hören, sobald eine Show offen ist.</translation>
+        <source>Drop a show or an .mvr anywhere here; a model or a fixture once a show is open. A desk that sends sACN or Art-Net is heard then, too.</source>
+        <translation>Eine Show oder eine .mvr irgendwo hierher ziehen; ein Modell oder ein Gerät, sobald eine Show offen ist. Dann wird auch ein Pult gehört, das sACN oder Art-Net sendet.</translation>
     </message>
 </context>
 <context>

@@ -288,8 +288,8 @@ Rig::Between Rig::between(std::size_t index) const {
     return result;
 }
 
-bool Rig::is_unasked(std::size_t index) const {
-    if (programmer_.contains(index) || walls_[index] || projectors_[index]) return false;
+bool Rig::is_dark_without_hands(std::size_t index) const {
+    if (!leaves_unasked_dark_ || walls_[index] || projectors_[index]) return false;
     const std::vector<fixture::Channel>& channels = patches_[index].mode_of().channels;
     return std::any_of(channels.begin(), channels.end(),
                        [](const fixture::Channel& channel) { return !channel.offsets.empty(); });
@@ -305,7 +305,7 @@ std::vector<LensFace> Rig::faces(std::size_t index, const FixturePose& hung, con
                                            projector_of(index), show_.fixtures[index].shape.get());
     if (walls_[index]) light_wall(index, gobos, faces);
     if (show_.fixtures[index].laser) colour_laser(*show_.fixtures[index].laser, type, states_[index], faces);
-    if (leaves_unasked_dark_ && is_unasked(index)) {
+    if (is_dark_without_hands(index) && !programmer_.contains(index)) {
         for (LensFace& face : faces) {
             if (face.light.intensity_cd != glm::vec3(0)) left_dark_[index] = true;
             face.light.intensity_cd = face.light.bounce_cd = glm::vec3(0);

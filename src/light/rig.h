@@ -47,6 +47,8 @@ public:
     // Whether the last lit() left a fixture dark by that, and how many.
     bool is_left_dark(std::size_t fixture) const { return left_dark_[fixture]; }
     std::size_t left_dark() const;
+    // Whether it is as soon as no hand asks for anything of it.
+    bool is_dark_without_hands(std::size_t fixture) const;
 
     // Fixtures go on from where they were in another rig: motors, wheels that turn, lamps. from: for each
     // fixture here its index there, or nothing. One of another type or mode starts anew.
@@ -92,7 +94,6 @@ private:
 
     void follow(std::size_t fixture, fixture::Targets& targets) const;
     std::vector<LensFace> faces(std::size_t fixture, const FixturePose& hung, const GoboStack& gobos);
-    bool is_unasked(std::size_t fixture) const;
     void choose_medium(std::size_t fixture, const dmx::Universes& universes);
     std::optional<fixture::LaserCurve> figure_of(std::size_t fixture, const BeamGroup& emitter) const;
     void light_wall(std::size_t fixture, const GoboStack& gobos, std::vector<LensFace>& faces) const;

@@ -356,7 +356,9 @@ TEST(rig, WhoIsLeftDarkIsTold) {
     EXPECT_FALSE(rig.is_left_dark(1)) << "a hand asks";
     EXPECT_FALSE(rig.is_left_dark(2));
     EXPECT_EQ(rig.left_dark(), 1u);
+    EXPECT_TRUE(rig.is_dark_without_hands(1));
     rig.leave_unasked_dark(false);
+    EXPECT_FALSE(rig.is_dark_without_hands(1));
     (void)rig.lit(desk.gobos, DistanceMaps{});
     EXPECT_FALSE(rig.is_left_dark(0));
     EXPECT_EQ(rig.left_dark(), 0u);

@@ -8,6 +8,8 @@
 
 #include <QString>
 
+#include <set>
+
 namespace ghost::ui {
 
 // name: as the table of actions has it; one of no table needs a show.
@@ -15,5 +17,8 @@ bool can_do(const QString& name, const AppModel& app, const ShowDocument& docume
 
 // Whether it is an edit of the show or its looks: what is refused of it is said over the picture.
 bool is_edit(const std::string& name);
+
+// All that the lists name by which the two above go; panels and languages go by their beginning.
+std::set<QString> listed_actions();
 
 } // namespace ghost::ui

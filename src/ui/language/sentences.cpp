@@ -155,10 +155,19 @@ private:
     int looked_for_ = 0;
 };
 
+// Rooms without Qt write for terminals, too. What stands in quotes is a name.
+QString with_signs(const QString& english) {
+    if (!english.contains(" deg")) return english;
+    static const auto kDegrees = QRegularExpression("(?<=\\d) deg\\b");
+    QStringList parts = english.split('\'');
+    for (qsizetype i = 0; i < parts.size(); i += 2) parts[i].replace(kDegrees, "\u00b0");
+    return parts.join('\'');
+}
+
 } // namespace
 
 QString said(const QString& english) {
-    if (language() == "en" || english.isEmpty()) return english;
+    if (language() == "en" || english.isEmpty()) return with_signs(english);
     QHash<QString, QString>& known = patterns().known;
     if (const auto found = known.find(english); found != known.end()) return *found;
     if (known.size() >= kKept) known.clear();

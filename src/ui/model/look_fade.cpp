@@ -55,14 +55,14 @@ std::vector<std::uint8_t> mixed_levels(const Programmer& from, const Programmer&
 }
 
 Programmer mixed(const Programmer& from, const Programmer& to, const Faded& faded, float share) {
-    const auto colour = [&](const Programmer& side) -> std::optional<glm::vec3> {
-        if (side.sets_levels() || faded.now.colour == glm::vec3(0)) return std::nullopt;
-        return faded.now.colour;
+    const auto colour = [&](const Programmer& side, const Programmer& other) -> std::optional<glm::vec3> {
+        if (side.sets_levels()) return std::nullopt;
+        return faded.now.colour == glm::vec3(0) ? other.colour : faded.now.colour; // what is dark has none
     };
     const Programmer a = asked_by(from, faded), b = asked_by(to, faded);
     Programmer result;
     result.intensity = between(from.intensity, to.intensity, a.intensity, b.intensity, share);
-    result.colour = between(from.colour, to.colour, colour(from), colour(to), share);
+    result.colour = between(from.colour, to.colour, colour(from, to), colour(to, from), share);
     result.zoom_deg = between(from.zoom_deg, to.zoom_deg, a.zoom_deg, b.zoom_deg, share);
     result.pan_deg = between(from.pan_deg, to.pan_deg, a.pan_deg, b.pan_deg, share);
     result.tilt_deg = between(from.tilt_deg, to.tilt_deg, a.tilt_deg, b.tilt_deg, share);
@@ -104,17 +104,17 @@ Look faded(const Look& from, const Look& to, const scene::Show& show, const RigN
     std::set<std::size_t> fixtures;
     for (const auto& [index, programmer] : from.fixtures) fixtures.insert(index);
     for (const auto& [index, programmer] : to.fixtures) fixtures.insert(index);
-    const auto of = [](const Look& one, std::size_t index) {
-        const auto found = one.fixtures.find(index);
-        return found == one.fixtures.end() ? Programmer{} : found->second;
-    };
     fixture::Levels desk;
     for (const dmx::Universe& universe : now.universes.list) desk.set(universe.number, *universe.levels);
     const FixtureNow unknown;
+    const auto of = [](const Look& one, std::size_t index, const FixtureNow& is) {
+        if (const auto found = one.fixtures.find(index); found != one.fixtures.end()) return found->second;
+        return is.is_dark_without_hands ? Programmer{.intensity = 0.0f} : Programmer{};
+    };
     for (const std::size_t index : fixtures) {
         const Faded faded{index < show.fixtures.size() ? &show.fixtures[index] : nullptr, desk,
                           index < now.fixtures.size() ? now.fixtures[index] : unknown};
-        look.fixtures[index] = mixed(of(from, index), of(to, index), faded, share);
+        look.fixtures[index] = mixed(of(from, index, faded.now), of(to, index, faded.now), faded, share);
     }
     look.movers = mixed_movers(from, to, now, share);
     const SceneLook &a = from.scene, &b = to.scene;

@@ -150,7 +150,7 @@ void FanBox::begin() {
                                                                        : word() == "gobo" ? 255
                                                                                           : 100);
         one->setDecimals(is_degrees ? 1 : 0);
-        one->setSuffix(is_degrees ? translated("Value", " deg") : word() == "gobo" ? "" : " %");
+        one->setSuffix(is_degrees ? QString("\u00b0") : word() == "gobo" ? "" : " %");
     }
     if (static_cast<Fan>(kind) == Fan::centre) b_->setRange(-b_->maximum(), b_->maximum());
     std::vector<std::size_t> heads = heads_in(static_cast<HeadOrder>(order_->currentIndex()), app_);

@@ -80,7 +80,7 @@ void MoverBox::add_head(std::size_t mover) {
 
 void MoverBox::add_row(std::size_t mover, std::size_t axis) {
     const scene::MoverAxis& of = app_.show()->movers[mover].axes[axis];
-    const QString unit = of.is_angle ? translated("Value", " deg") : " m";
+    const QString unit = of.is_angle ? "\u00b0" : " m";
     auto* row = new ValueRow(QString::fromStdString(of.name),
                              {static_cast<double>(of.low), static_cast<double>(of.high), 2, unit}, this);
     row->setToolTip(translated("Movers", "Of its way from %1 to %2%3; as the machine, within its speed")

@@ -7,6 +7,7 @@
 #include "ui/widgets/following.h"
 
 #include <QHBoxLayout>
+#include <QLabel>
 #include <QPixmap>
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -57,7 +58,6 @@ PaletteBox::PaletteBox(AppModel& app, PaletteList& palettes, Actions& actions, Q
         row->addWidget(button);
     }
     row->addStretch(1);
-    row->addWidget(store_);
     store_->setText("+");
     store_->setAccessibleName(translated("Palettes", "Store palette"));
     store_->setToolTip(translated(
@@ -77,6 +77,14 @@ PaletteBox::PaletteBox(AppModel& app, PaletteList& palettes, Actions& actions, Q
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 4, 0, 0);
     layout->setSpacing(2);
+    auto* title = new QLabel(translated("Palettes", "Palettes"), this);
+    QFont font = title->font();
+    font.setBold(true); // as the groups of parameters below
+    title->setFont(font);
+    auto* heading = new QHBoxLayout;
+    heading->addWidget(title, 1);
+    heading->addWidget(store_);
+    layout->addLayout(heading);
     layout->addLayout(row);
     layout->addWidget(list_);
     connect(kinds_, &QButtonGroup::idToggled, this, &PaletteBox::fill);

@@ -140,15 +140,17 @@ CuePanel::CuePanel(AppModel& app, CueList& cues, Looks& looks, Actions& actions,
         translated("Cues", "A cue with a second is called when the recording, or its time code, comes by"));
     connect(follows, &QCheckBox::toggled, this, [this](bool on) { cues_.set_follows_recording(on); });
     auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(4, 6, 4, 6); // the narrowest column has room for it
     layout->addWidget(next_);
     auto* buttons = new QGridLayout;
+    buttons->setHorizontalSpacing(4);
     buttons->addWidget(go_, 0, 0, 1, 2);
     buttons->addWidget(back_, 0, 2);
-    buttons->addWidget(call_, 1, 0);
-    buttons->addWidget(add, 1, 1);
-    buttons->addWidget(remove_, 1, 2);
+    buttons->addWidget(call_, 1, 0, 1, 2);
+    buttons->addWidget(add, 1, 2);
     buttons->addWidget(up_, 2, 0);
     buttons->addWidget(down_, 2, 1);
+    buttons->addWidget(remove_, 2, 2);
     buttons->addWidget(follows, 3, 0, 1, 3);
     layout->addWidget(table_, 1);
     layout->addLayout(buttons);

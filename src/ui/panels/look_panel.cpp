@@ -14,6 +14,7 @@ namespace ghost::ui {
 LookPanel::LookPanel(AppModel& app, Looks& looks, Actions& actions, QWidget* parent)
     : QWidget(parent), app_(app), looks_(looks), actions_(actions) {
     auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(4, 6, 4, 6); // the narrowest column has room for it
     list_ = new QListWidget(this);
     list_->setAccessibleName(translated("Looks", "Looks"));
     list_->setEditTriggers(QAbstractItemView::EditKeyPressed);
@@ -30,6 +31,7 @@ LookPanel::LookPanel(AppModel& app, Looks& looks, Actions& actions, QWidget* par
     });
 
     auto* buttons = new QGridLayout;
+    buttons->setHorizontalSpacing(4);
     const auto name = [this] { return quoted(chosen()); };
     recall_ = add_button(translated("Looks", "Recall"), translated("Looks", "Fades to it"),
                          [=] { return "look-recall " + name(); });

@@ -7,7 +7,8 @@
 #include "ui/model/head_values.h"
 
 #include <QAbstractItemView>
-#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QLabel>
 #include <QScrollArea>
 
 #include <algorithm>
@@ -38,7 +39,7 @@ std::string word_of(fixture::Role role) {
 }
 
 ValueRange range_of(const fixture::AxisRange& reach) {
-    return {static_cast<double>(reach.low), static_cast<double>(reach.high), 1, translated("Value", " deg")};
+    return {static_cast<double>(reach.low), static_cast<double>(reach.high), 1, "\u00b0"};
 }
 
 } // namespace
@@ -49,7 +50,7 @@ ProgrammerPanel::ProgrammerPanel(AppModel& app, PaletteList& palettes, Actions& 
     title_->setWordWrap(true);
     auto* const inside = new QWidget(this);
     column_ = new QVBoxLayout(inside);
-    column_->setContentsMargins(0, 0, 2, 0);
+    column_->setContentsMargins(0, 0, 0, 0);
     add_row(translated("Programmer", "Intensity"), {0, 100, 0, " %"},
             static_cast<int>(ProgrammerStep::intensity), fixture::Role::dimmer,
             &fixture::Programmer::intensity, &FixtureNow::dimmer, 0.01);
@@ -73,6 +74,7 @@ ProgrammerPanel::ProgrammerPanel(AppModel& app, PaletteList& palettes, Actions& 
     gobo_ = new QComboBox(this);
     gobo_->setAccessibleName(translated("Programmer", "Gobo"));
     gobo_->setIconSize({kGobo_px, kGobo_px});
+    gobo_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     connect(gobo_, &QComboBox::activated, this, [this](int index) {
         change_selected(app_, translated("Undo", "gobo"), ProgrammerStep::gobo,
                         [&](fixture::Programmer& programmer) {
@@ -91,9 +93,13 @@ ProgrammerPanel::ProgrammerPanel(AppModel& app, PaletteList& palettes, Actions& 
         change_selected(app_, translated("Undo", "release"), ProgrammerStep::step,
                         [](fixture::Programmer& programmer) { programmer = {}; });
     });
-    auto* form = new QFormLayout;
-    form->addRow(translated("Programmer", "Gobo"), gobo_);
-    column_->addLayout(form);
+    auto* gobo = new QHBoxLayout;
+    gobo->setSpacing(ValueRow::kBetween_px);
+    auto* gobo_label = new QLabel(translated("Programmer", "Gobo"), this);
+    gobo_label->setFixedWidth(ValueRow::label_width(*this));
+    gobo->addWidget(gobo_label);
+    gobo->addWidget(gobo_, 1);
+    column_->addLayout(gobo);
     palettes_ = new PaletteBox(app_, palettes, actions, this);
     column_->addWidget(palettes_);
     fan_ = new FanBox(app_, actions, this);

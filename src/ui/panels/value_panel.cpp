@@ -17,6 +17,8 @@
 namespace ghost::ui {
 namespace {
 
+constexpr int kAddressFrom_letters = 47; // of the panel's width
+
 // A channel's value before a bar as long as its share of the most.
 class BarPainter : public QStyledItemDelegate {
 public:
@@ -48,13 +50,14 @@ QString attribute_of(const scene::ChannelFacts& channel) {
     return attribute_words(channel.attribute.empty() ? channel.name : channel.attribute);
 }
 
-// As the list of fixtures has it: "1.023".
+// As the list of fixtures has it: "1.023"; of several in one universe once: "1.024-025".
 QString padded(QString addresses) {
+    static const QRegularExpression kOneUniverse("(\\d+\\.)(\\d+)-\\1(\\d+)");
     static const QRegularExpression kAddress("(\\d+)\\.(\\d{1,2})(?!\\d)");
     for (auto found = kAddress.match(addresses); found.hasMatch(); found = kAddress.match(addresses))
         addresses.replace(found.capturedStart(2), found.capturedLength(2),
                           found.captured(2).rightJustified(3, '0'));
-    return addresses;
+    return addresses.replace(kOneUniverse, "\\1\\2-\\3");
 }
 
 // What a hand sets in this channel's place.
@@ -141,7 +144,9 @@ QVariant ChannelModel::data(const QModelIndex& index, int role) const {
     if (row >= channels_.size()) return {};
     const scene::ChannelFacts& channel = channels_[row];
     if (role == kShare) return share_of(channel);
-    if (role == Qt::ToolTipRole) return QString::fromStdString(channel.name + ": " + channel.function);
+    if (role == Qt::ToolTipRole)
+        return padded(QString::fromStdString(channel.addresses)) + " " +
+               QString::fromStdString(channel.name + ": " + channel.function);
     if (role == Qt::ForegroundRole && index.column() == by_hand) return accent();
     if (role == Qt::ForegroundRole && !channel.reading.received) return faint();
     if (role != Qt::DisplayRole) return {};
@@ -194,7 +199,7 @@ ValuePanel::ValuePanel(AppModel& app, QWidget* parent) : QWidget(parent), app_(a
     for (const int column : {ChannelModel::address, ChannelModel::value})
         table_->horizontalHeader()->setSectionResizeMode(column, QHeaderView::ResizeToContents);
     table_->horizontalHeader()->setResizeContentsPrecision(0);
-    table_->setColumnWidth(ChannelModel::attribute, 14 * table_->fontMetrics().averageCharWidth());
+    table_->setColumnWidth(ChannelModel::attribute, 12 * table_->fontMetrics().averageCharWidth());
     words_ = new QTextBrowser(this);
     words_->setAccessibleName(translated("Values", "The way from the packet to the light"));
     auto* splitter = new QSplitter(Qt::Vertical, this);
@@ -211,6 +216,12 @@ ValuePanel::ValuePanel(AppModel& app, QWidget* parent) : QWidget(parent), app_(a
                               &AppModel::opened_show, &AppModel::look_changed})
         connect(&app_, signal, this, &ValuePanel::refresh);
     refresh();
+}
+
+// What a channel means is read more often than its address, which its tip has, too.
+void ValuePanel::resizeEvent(QResizeEvent*) {
+    table_->setColumnHidden(ChannelModel::address,
+                            width() < kAddressFrom_letters * fontMetrics().averageCharWidth());
 }
 
 void ValuePanel::refresh() {

@@ -37,6 +37,9 @@ class ValuePanel : public QWidget {
 public:
     ValuePanel(AppModel& app, QWidget* parent);
 
+protected:
+    void resizeEvent(QResizeEvent*) override;
+
 private:
     void refresh();
 

@@ -36,6 +36,7 @@ ColourRow::ColourRow(const QString& name, QWidget* parent)
     release_->setAccessibleName(translated("Value", "Give back %1").arg(name));
     column_->setContentsMargins(0, 0, 0, 0);
     auto* row = new QHBoxLayout;
+    row->setSpacing(ValueRow::kBetween_px);
     row->addWidget(label_);
     row->addWidget(button_, 1);
     row->addWidget(release_);

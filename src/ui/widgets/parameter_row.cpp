@@ -26,7 +26,7 @@ ParameterRow::ParameterRow(const HeadParameter& parameter, SlotPictures& picture
     label_->setText(label_->fontMetrics().elidedText(parameter.name, Qt::ElideRight, label_->width()));
     label_->setToolTip(parameter.name + " (" + QString::fromStdString(parameter.attribute) + ")");
     slider_->setRange(0, kParameterSteps);
-    slider_->setMinimumWidth(40);
+    slider_->setMinimumWidth(ValueRow::kLeastSlider_px);
     slider_->setAccessibleName(parameter.name);
     meaning_->setAccessibleName(translated("Value", "%1: what it can be").arg(parameter.name));
     meaning_->setFixedWidth(fontMetrics().averageCharWidth() * 14);
@@ -47,6 +47,7 @@ ParameterRow::ParameterRow(const HeadParameter& parameter, SlotPictures& picture
     release_->setAccessibleName(translated("Value", "Give back %1").arg(parameter.name));
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(ValueRow::kBetween_px);
     layout->addWidget(label_);
     layout->addWidget(slider_, 1);
     layout->addWidget(meaning_);

@@ -7,9 +7,13 @@
 #include <QStyleFactory>
 #include <QStyleOption>
 
+#include <vector>
+
 namespace ghost::ui {
 
 namespace {
+
+constexpr int kMenuLine_px = 24, kIcon = 64;
 
 // Fusion, the same on every system; its box to tick has an outline darker than the window, and its button for
 // what finds no room in a line is as dark, which a dark room swallows.
@@ -18,12 +22,20 @@ public:
     Theme() : QProxyStyle(QStyleFactory::create("Fusion")) {}
     void drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter,
                        const QWidget* widget) const override {
+        const bool is_button = element == PE_PanelButtonCommand || element == PE_PanelButtonTool;
+        if (is_button && (option->state & State_On)) return draw_pressed(*option, *painter);
         QProxyStyle::drawPrimitive(element, option, painter, widget);
         if (element != PE_IndicatorCheckBox) return;
         painter->save();
         painter->setPen(option->palette.color(QPalette::PlaceholderText));
         painter->drawRect(option->rect.adjusted(0, 0, -1, -1));
         painter->restore();
+    }
+    // The words of the menus stand at the height of those beside them, in the buttons of the view.
+    QSize sizeFromContents(ContentsType type, const QStyleOption* option, const QSize& contents,
+                           const QWidget* widget) const override {
+        const QSize size = QProxyStyle::sizeFromContents(type, option, contents, widget);
+        return type == CT_MenuBarItem ? size.expandedTo({0, kMenuLine_px}) : size;
     }
     // Over all: where a box of buttons is no larger than they are, it would cut the ring round the focus.
     int styleHint(StyleHint hint, const QStyleOption* option, const QWidget* widget,
@@ -32,19 +44,42 @@ public:
     }
     QIcon standardIcon(StandardPixmap kind, const QStyleOption* option,
                        const QWidget* widget) const override {
-        const bool is_down = kind == SP_ToolBarVerticalExtensionButton;
-        if (!is_down && kind != SP_ToolBarHorizontalExtensionButton)
-            return QProxyStyle::standardIcon(kind, option, widget);
-        QPixmap picture(64, 64);
+        const std::vector<QPolygon> lines = lines_of(kind);
+        if (lines.empty()) return QProxyStyle::standardIcon(kind, option, widget);
+        QPixmap picture(kIcon, kIcon);
         picture.fill(Qt::transparent);
         QPainter painter(&picture);
         painter.setRenderHint(QPainter::Antialiasing);
         painter.setPen(QPen(QGuiApplication::palette().color(QPalette::ButtonText), 6));
-        for (const int at : {14, 32}) {
-            const QPolygon right({{at, 16}, {at + 16, 32}, {at, 48}});
-            painter.drawPolyline(is_down ? QTransform(0, 1, 1, 0, 0, 0).map(right) : right);
-        }
+        for (const QPolygon& line : lines) painter.drawPolyline(line);
         return picture;
+    }
+
+private:
+    // Fusion's own are of so few pixels that they blur where a point has two.
+    static std::vector<QPolygon> lines_of(StandardPixmap kind) {
+        switch (kind) {
+        case SP_ToolBarVerticalExtensionButton:
+            return {{{{48, 14}, {32, 30}, {16, 14}}}, {{{48, 32}, {32, 48}, {16, 32}}}};
+        case SP_ToolBarHorizontalExtensionButton:
+            return {{{{14, 16}, {30, 32}, {14, 48}}}, {{{32, 16}, {48, 32}, {32, 48}}}};
+        case SP_TitleBarNormalButton: // torn off, or put back
+            return {{{{8, 24}, {40, 24}, {40, 56}, {8, 56}, {8, 24}}},
+                    {{{24, 22}, {24, 8}, {56, 8}, {56, 40}, {42, 40}}}};
+        case SP_TitleBarCloseButton:
+            return {{{{12, 12}, {52, 52}}}, {{{52, 12}, {12, 52}}}};
+        default:
+            return {};
+        }
+    }
+    // Fusion's is a shade darker than one that is not, which nobody sees on a dark ground.
+    static void draw_pressed(const QStyleOption& option, QPainter& painter) {
+        painter.save();
+        painter.setRenderHint(QPainter::Antialiasing);
+        painter.setPen(option.state & State_Enabled ? accent() : option.palette.color(QPalette::ButtonText));
+        painter.setBrush(option.palette.color(QPalette::Highlight));
+        painter.drawRoundedRect(QRectF(option.rect).adjusted(0.5, 0.5, -0.5, -0.5), 2, 2);
+        painter.restore();
     }
 };
 

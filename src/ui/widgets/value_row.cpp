@@ -73,6 +73,7 @@ ValueRow::ValueRow(const QString& name, const ValueRange& range, QWidget* parent
       release_(new QToolButton(this)) {
     label_->setFixedWidth(label_width(*this));
     slider_->setRange(0, kShareSteps);
+    slider_->setMinimumWidth(kLeastSlider_px);
     slider_->setAccessibleName(name);
     field_->setRange(range.low, range.high);
     field_->setDecimals(range.decimals);
@@ -86,6 +87,7 @@ ValueRow::ValueRow(const QString& name, const ValueRange& range, QWidget* parent
     release_->setEnabled(false);
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(kBetween_px);
     layout->addWidget(label_);
     layout->addWidget(slider_, 1);
     layout->addWidget(field_);
@@ -116,7 +118,7 @@ ValueRow::ValueRow(const QString& name, const ValueRange& range, QWidget* parent
 }
 
 int ValueRow::label_width(const QWidget& widget) {
-    return widget.fontMetrics().averageCharWidth() * 14;
+    return widget.fontMetrics().averageCharWidth() * 15;
 }
 
 int ValueRow::to_slider(double value) const {

@@ -20,7 +20,7 @@ struct ValueRange {
     double low = 0;
     double high = 1;
     int decimals = 2;
-    QString unit;          // " deg"
+    QString unit;          // " m"
     bool by_ratio = false; // the slider's steps are ratios: for what spans decades; low above 0
 };
 
@@ -76,6 +76,8 @@ class ValueRow : public QWidget {
 public:
     // Of the names of rows, so that all of a panel begin at one place.
     static int label_width(const QWidget& widget);
+    // Rows find room in the narrowest column, beside a scroll bar.
+    static constexpr int kLeastSlider_px = 22, kBetween_px = 3;
     ValueRow(const QString& name, const ValueRange& range, QWidget* parent);
 
     // by_hand: it is set by a person; else it is only shown. mixed: others have other values; the word stands

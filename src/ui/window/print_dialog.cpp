@@ -234,6 +234,7 @@ PrintDialog::PrintDialog(What what, AppModel& app, ShowDocument& document, Actio
     connect(folder_, &QLineEdit::textChanged, folder_, &QWidget::setToolTip); // often longer than the line
     name_show();
     follow();
+    show_empty();
 }
 
 void PrintDialog::add_paper_choices(QFormLayout& form) {
@@ -359,6 +360,8 @@ QWidget* PrintDialog::make_preview() {
     layout->setContentsMargins(0, 0, 0, 0);
     unknown_ = lines_of(translated("Print", "What is left empty, and why"), preview);
     remarks_ = lines_of(translated("Print", "Remarks"), preview);
+    empty_ = new QLabel(translated("Print", "What is made is shown here."), preview);
+    empty_->setAlignment(Qt::AlignCenter);
     if (what_ == What::book) {
         pictures_ = new QListWidget(preview);
         pictures_->setAccessibleName(translated("Print", "Pictures of the book"));
@@ -367,6 +370,7 @@ QWidget* PrintDialog::make_preview() {
         pictures_->setMovement(QListView::Static);
         pictures_->setResizeMode(QListView::Adjust);
         pictures_->setSpacing(6);
+        layout->addWidget(empty_, 1);
         layout->addWidget(unknown_);
         layout->addWidget(pictures_, 1);
         layout->addWidget(remarks_);
@@ -379,6 +383,7 @@ QWidget* PrintDialog::make_preview() {
     table_->setAccessibleName(translated("Print", "Preview of the table"));
     table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
     table_->verticalHeader()->hide();
+    layout->addWidget(empty_, 1);
     layout->addWidget(tables_);
     layout->addWidget(unknown_);
     layout->addWidget(table_, 1);
@@ -452,6 +457,15 @@ void PrintDialog::forget_result() {
     }
     if (pictures_) pictures_->clear();
     for (QPlainTextEdit* const lines : {unknown_, remarks_}) put(*lines, {});
+    show_empty();
+}
+
+// Until something is made, and where nothing came of it.
+void PrintDialog::show_empty() {
+    const bool is_empty = pictures_ ? pictures_->count() == 0 : printed_.empty();
+    empty_->setVisible(is_empty);
+    for (QWidget* const one : std::initializer_list<QWidget*>{tables_, table_, pictures_})
+        if (one) one->setVisible(!is_empty);
 }
 
 // What was said of a show that is not saved does not hold any more.
@@ -509,12 +523,17 @@ void PrintDialog::follow() {
 
 void PrintDialog::show_result() {
     is_shown_ = true;
-    if (what_ == What::book) return show_pictures();
+    if (what_ == What::book) {
+        show_pictures();
+        show_empty();
+        return;
+    }
     const QString before = tables_->currentText();
     tables_->clear();
     printed_ = printed_tables(made_);
     for (const PrintedTable& table : printed_) tables_->addItem(table.title);
     tables_->setCurrentIndex(std::max(tables_->findText(before), 0));
+    show_empty();
 }
 
 void PrintDialog::show_table() {

@@ -8,6 +8,7 @@
 #include <QVBoxLayout>
 
 #include <utility>
+#include <vector>
 
 namespace ghost::ui {
 namespace {
@@ -38,11 +39,31 @@ QString rows(const Actions& actions, const QString& menu) {
     for (const Action& action : actions.all()) {
         const QAction* item = actions.item(action.name);
         if (action.menu != menu || action.key.isEmpty() || !item->isVisible()) continue;
+        const bool names_step = action.name == "undo" || action.name == "redo"; // that they would do now
         text += key_row(
             QKeySequence::listToString(item->shortcuts(), QKeySequence::NativeText).replace("; ", ", "),
-            item->text());
+            names_step ? action.text : item->text());
     }
     return text;
+}
+
+QString key_group(const QString& title, const QString& body) {
+    if (body.isEmpty()) return {};
+    return "<h3>" + title + "</h3><table cellpadding='2'>" + body + "</table>";
+}
+
+QString key_groups(const Actions& actions, const std::vector<const char*>& menus) {
+    QString text;
+    for (const char* const menu : menus) text += key_group(translated("Menu", menu), rows(actions, menu));
+    return text;
+}
+
+// Columns of about the same length, so that a display of 1080 lines has all of it.
+const std::vector<const char*> kMenusOfColumns[] = {
+    {"Edit"}, {"View", "Show", "Panels"}, {"Camera", "Play", "Quality", "Help"}};
+
+QString key_column(const QString& body) {
+    return "<td valign='top' width='33%'>" + body + "</td>";
 }
 
 } // namespace
@@ -50,21 +71,15 @@ QString rows(const Actions& actions, const QString& menu) {
 ShortcutSheet::ShortcutSheet(const Actions& actions, QWidget* parent) : QDialog(parent) {
     setWindowTitle(translated("Keys", "Keys and mouse"));
     auto* text = new QTextBrowser(this);
-    QString html = "<table cellspacing='14'><tr>";
-    int column = 0;
-    const auto add = [&](const QString& title, const QString& body) {
-        if (body.isEmpty()) return;
-        if (column == 3) html += "</tr><tr>";
-        column = column == 3 ? 1 : column + 1;
-        html +=
-            QString("<td valign='top'><h3>%1</h3><table cellpadding='2'>%2</table></td>").arg(title, body);
-    };
     QString mouse;
     for (const auto& [what, does] : kMouse)
         mouse += key_row(translated("Keys", what), translated("Keys", does));
-    add(translated("Keys", "In the picture"), mouse);
-    for (const char* const menu : {"View", "Camera", "Edit", "Show", "Play", "Quality", "Panels", "Help"})
-        add(translated("Menu", menu), rows(actions, menu));
+    QString html = "<table cellspacing='14' width='100%'><tr>";
+    for (const auto& menus : kMenusOfColumns) {
+        const QString first =
+            &menus == kMenusOfColumns ? key_group(translated("Keys", "In the picture"), mouse) : QString();
+        html += key_column(first + key_groups(actions, menus));
+    }
     text->setHtml(html + "</tr></table>");
     auto* layout = new QVBoxLayout(this);
     layout->addWidget(text);

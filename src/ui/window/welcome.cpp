@@ -109,8 +109,8 @@ void Welcome::refresh() {
         !doing.isEmpty()
             ? doing + " ..."
             : translated("Welcome",
-                         "Drop a show, an .mvr or a model anywhere here. A desk that sends sACN or "
-                         "Art-Net is heard as soon as a show is open."));
+                         "Drop a show or an .mvr anywhere here; a model or a fixture once a show is open. A "
+                         "desk that sends sACN or Art-Net is heard then, too."));
     ways_->setEnabled(doing.isEmpty());
 }
 

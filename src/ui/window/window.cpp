@@ -423,7 +423,7 @@ void Window::share_columns() {
         resizeDocks({list}, {std::clamp(width() * 16 / 100, 275, 330)}, Qt::Horizontal);
         resizeDocks({list, below}, {height() * 4 / 10, height() * 5 / 10}, Qt::Vertical);
     } else {
-        resizeDocks({list, below}, {235, 255}, Qt::Horizontal);
+        resizeDocks({list, below}, {235, 261}, Qt::Horizontal);
     }
 }
 

@@ -86,6 +86,8 @@ TEST(RigNews, heads_that_are_left_dark_are_dark_in_lists_and_verdicts) {
     EXPECT_EQ(dark.lit(), 0);
     EXPECT_GT(dark.unasked(), 0u);
     EXPECT_EQ(dark.unasked(), session->rig->left_dark());
+    EXPECT_FALSE(shining.rig.fixtures.front().is_dark_without_hands);
+    EXPECT_TRUE(dark.rig.fixtures.front().is_dark_without_hands);
 }
 
 } // namespace

@@ -34,7 +34,7 @@ class Window:
     """A window of its own process, with the demo, driven over its socket."""
 
     def __init__(self, *arguments, show=None, before=(), environment=None, folder=None, remembers=False):
-        """before: a command that runs it, like ip netns exec; environment: more of it; folder: in which it runs; remembers: what the
+        """show: False for none; before: a command that runs it, like ip netns exec; environment: more of it; folder: in which it runs; remembers: what the
         window before it kept."""
         self.socket_path = str(WORK / f"socket-{os.getpid()}-{time.monotonic_ns()}")
         environment = dict(os.environ, DISPLAY=DISPLAY, XDG_CONFIG_HOME=str(WORK / "config"), LC_ALL="C.UTF-8", LANGUAGE="en",
@@ -42,7 +42,7 @@ class Window:
         environment.pop("WAYLAND_DISPLAY", None)
         environment.pop("QT_QPA_PLATFORM", None)
         self.log = open(WORK / "window.log", "w+")
-        self.process = subprocess.Popen([*before, str(PROGRAM), "open", str(show or WORK / "demo"), *([] if remembers else ["--forget"]),
+        self.process = subprocess.Popen([*before, str(PROGRAM), "open", *([] if show is False else [str(show or WORK / "demo")]), *([] if remembers else ["--forget"]),
                                          "--socket", self.socket_path, *map(str, arguments)], env=environment, cwd=folder, stderr=self.log, stdout=self.log)
         self.socket = socket.socket(socket.AF_UNIX)
         self.socket.settimeout(LONG_S)

@@ -97,6 +97,12 @@ TEST_F(Language, ASentenceIsKnownByItsPattern) {
               "'x' ist nicht: Zahl von Sekunden von 0 bis 3600");
 }
 
+TEST_F(Language, EnglishHasTheSignOfDegreesAsEveryPanelHas) {
+    EXPECT_EQ(said("lit: 1 of 2 lm, beam 12.1 deg, hits 'Truss 45 deg' at 4.4 m"),
+              "lit: 1 of 2 lm, beam 12.1\u00b0, hits 'Truss 45 deg' at 4.4 m");
+    EXPECT_EQ(said("it points 37 degrees downwards"), "it points 37 degrees downwards");
+}
+
 TEST_F(Language, SoAreTheSentencesThatItIsMadeOf) {
     const std::string said = in_german(
         "no levels arrive, though 3 other packets did (3 poll): is the desk's output on, is it in this "

@@ -280,6 +280,26 @@ TEST(UiLooks, what_is_let_go_fades_to_what_the_desk_asks_for) {
     EXPECT_EQ(faded(from, to, show, {.fixtures = {now}}, 1), to);
 }
 
+TEST(UiLooks, a_head_that_is_left_dark_fades_from_and_to_dark_and_not_by_its_file) {
+    FixtureNow now;
+    now.asked = {.intensity = 1.0f}; // by its file
+    now.is_dark_without_hands = true;
+    const scene::Show show;
+    const auto share = [&](const Look& from, const Look& to, float at) {
+        return faded(from, to, show, {.fixtures = {now}}, at).fixtures.at(0).intensity.value_or(-1);
+    };
+    Look half, red;
+    half.fixtures[0] = {.intensity = 0.5f};
+    red.fixtures[0] = {.colour = glm::vec3(1, 0, 0)};
+    EXPECT_FLOAT_EQ(share({}, half, 0), 0);
+    EXPECT_FLOAT_EQ(share({}, half, 0.5f), 0.25f);
+    EXPECT_FLOAT_EQ(share(half, {}, 0.8f), 0.1f);
+    EXPECT_FLOAT_EQ(share({}, red, 0.25f), 0.25f) << "with a colour it is as bright as its file has it";
+    EXPECT_EQ(faded({}, red, show, {.fixtures = {now}}, 0.25f).fixtures.at(0).colour, glm::vec3(1, 0, 0))
+        << "what was dark has no colour to come from";
+    EXPECT_EQ(faded(half, {}, show, {.fixtures = {now}}, 1), Look{});
+}
+
 TEST(UiLooks, what_a_hand_does_during_a_fade_is_there_at_once) {
     LookBench bench;
     bench.read();

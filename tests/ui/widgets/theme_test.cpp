@@ -4,15 +4,20 @@
 #include "support/test_window.h"
 #include "ui/widgets/theme.h"
 
+#include <QComboBox>
 #include <QDialog>
 #include <QDialogButtonBox>
 #include <QFocusFrame>
+#include <QMenuBar>
 #include <QPalette>
 #include <QPushButton>
 #include <QStyle>
+#include <QToolButton>
 #include <QVBoxLayout>
 
+#include <algorithm>
 #include <cmath>
+#include <memory>
 
 namespace ghost::ui {
 namespace {
@@ -63,6 +68,38 @@ TEST(Theme, the_ring_of_the_focus_is_seen_on_every_ground) {
         EXPECT_GE(contrast(accent(), qApp->palette().color(ground)), 3);
 }
 
+TEST(Theme, the_words_of_the_menus_stand_at_the_height_of_what_stands_beside_them) {
+    set_theme(*qApp);
+    QMenuBar bar;
+    QAction* const word = bar.addAction("Show");
+    auto* const beside = new QComboBox(&bar);
+    bar.setCornerWidget(beside);
+    bar.resize(600, bar.sizeHint().height());
+    bar.show();
+    settle();
+    EXPECT_NEAR(bar.actionGeometry(word).center().y(), beside->geometry().center().y(), 1);
+}
+
+TEST(Theme, a_button_that_is_on_is_seen_to_be) {
+    set_theme(*qApp);
+    for (const bool is_tool : {true, false}) {
+        const std::unique_ptr<QAbstractButton> button(is_tool ? static_cast<QAbstractButton*>(new QToolButton)
+                                                              : new QPushButton);
+        button->setCheckable(true);
+        button->resize(60, 24);
+        const auto differs = [&](const QImage& one, const QImage& other) {
+            int pixels = 0;
+            for (int y = 0; y < one.height(); ++y)
+                for (int x = 0; x < one.width(); ++x)
+                    pixels += contrast(one.pixelColor(x, y), other.pixelColor(x, y)) >= 3 ? 1 : 0;
+            return pixels;
+        };
+        const QImage off = button->grab().toImage();
+        button->setChecked(true);
+        EXPECT_GE(differs(button->grab().toImage(), off), 100) << "a line round it, at least";
+    }
+}
+
 // A box of buttons is no larger than they are.
 TEST(Theme, the_ring_of_the_focus_is_whole_round_the_buttons_of_a_dialog) {
     set_theme(*qApp);
@@ -76,6 +113,15 @@ TEST(Theme, the_ring_of_the_focus_is_whole_round_the_buttons_of_a_dialog) {
     settle();
     ASSERT_TRUE(ring.isVisible());
     EXPECT_EQ(ring.visibleRegion().boundingRect(), ring.rect());
+}
+
+TEST(Theme, the_buttons_of_a_panel_are_as_fine_as_a_display_at_scale_2) {
+    set_theme(*qApp);
+    for (const QStyle::StandardPixmap kind :
+         {QStyle::SP_TitleBarNormalButton, QStyle::SP_TitleBarCloseButton}) {
+        const QList<QSize> sizes = qApp->style()->standardIcon(kind).availableSizes();
+        EXPECT_TRUE(std::any_of(sizes.begin(), sizes.end(), [](QSize size) { return size.width() >= 32; }));
+    }
 }
 
 // Arrows of what finds no room in a line are light on dark.

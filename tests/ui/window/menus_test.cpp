@@ -3,6 +3,7 @@
 // in the window itself.
 #include "show_folder/load_show.h"
 #include "support/test_window.h"
+#include "ui/actions/can_do.h"
 #include "ui/actions/script.h"
 #include "ui/window/window.h"
 
@@ -16,6 +17,8 @@
 #include <QMenuBar>
 #include <QMouseEvent>
 #include <QPushButton>
+#include <QRegularExpression>
+#include <QScrollBar>
 #include <QSettings>
 #include <QTextBrowser>
 #include <QToolButton>
@@ -65,6 +68,21 @@ struct InWindow {
     Link link;
     Window window;
 };
+
+TEST(Menus, every_action_has_been_thought_of_where_it_is_said_what_can_be_done) {
+    InWindow in;
+    std::set<QString> listed = listed_actions();
+    for (const Action& action : in.window.actions().all()) {
+        static const QRegularExpression kWithItsValue("^(panel|language|tone|fps|resolution)-|^camera-\\d$");
+        if (kWithItsValue.match(action.name).hasMatch() && action.name != "panels-dock") continue;
+        EXPECT_TRUE(listed.erase(action.name))
+            << action.name.toStdString() << " stands in no list of ui/actions/can_do.cpp";
+    }
+    for (const char* const name :
+         {"browsers", "browsers-control", "browsers-new-token", "browsers-away", "in-browsers"})
+        listed.erase(name); // where something serves them
+    EXPECT_TRUE(listed.empty()) << listed.begin()->toStdString() << " is no action";
+}
 
 TEST(Menus, every_action_with_a_menu_stands_in_it_once_and_groups_are_parted) {
     InWindow in;
@@ -221,6 +239,29 @@ TEST(KeySheet, says_what_the_mouse_does_with_heads) {
     const QString sheet = dialog->findChild<QTextBrowser*>()->toPlainText();
     for (const char* const words : {"Shift+click", "drag of a selected lamp", "right click"})
         EXPECT_TRUE(sheet.contains(words)) << words;
+}
+
+TEST(KeySheet, finds_room_on_a_display_of_1080_lines) {
+    InWindow in;
+    in.open();
+    EXPECT_EQ(in.error_of("shortcuts"), "");
+    settle();
+    auto* const sheet = in.window.findChild<QDialog*>();
+    sheet->resize(1240, 880);
+    settle();
+    EXPECT_EQ(sheet->findChild<QTextBrowser*>()->verticalScrollBar()->maximum(), 0);
+}
+
+TEST(KeySheet, names_undo_and_redo_and_not_what_they_would_do_now) {
+    InWindow in;
+    in.open();
+    EXPECT_EQ(in.error_of("select \"Lamp 1\""), "");
+    EXPECT_EQ(in.error_of("intensity 0.5"), "");
+    ASSERT_TRUE(in.window.actions().item("undo")->text().startsWith("Undo: "));
+    EXPECT_EQ(in.error_of("shortcuts"), "");
+    settle();
+    EXPECT_FALSE(
+        in.window.findChild<QDialog*>()->findChild<QTextBrowser*>()->toPlainText().contains("Undo: "));
 }
 
 // Of a list with one row, at that row.

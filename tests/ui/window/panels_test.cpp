@@ -9,6 +9,7 @@
 #include <QComboBox>
 #include <QDockWidget>
 #include <QPushButton>
+#include <QScrollArea>
 #include <QTabBar>
 
 namespace ghost::ui {
@@ -76,6 +77,23 @@ TEST(Tabs, every_name_is_whole_at_the_usual_widths) {
             }
         }
         EXPECT_GE(seen, 4) << width;
+    }
+}
+
+TEST(Columns, nothing_of_a_panel_is_cut_at_its_right_at_the_usual_sizes) {
+    for (const QSize size : {QSize(1366, 768), QSize(1920, 1080), QSize(2560, 1440)}) {
+        Panels in(size.width(), size.height());
+        in.open();
+        in.choose("select *");
+        for (const char* const name :
+             {"values", "programmer", "scene", "looks", "air", "cues", "plot", "export"}) {
+            in.choose(QString("panel-%1 on").arg(name));
+            for (const QScrollArea* const area : in.panel(name).findChildren<QScrollArea*>()) {
+                if (!area->isVisible()) continue;
+                EXPECT_LE(area->widget()->width(), area->viewport()->width())
+                    << name << " at " << size.width();
+            }
+        }
     }
 }
 

@@ -8,6 +8,7 @@
 #include "ui/window/private/print_dialog.h"
 #include "ui/window/window.h"
 
+#include <QComboBox>
 #include <QDir>
 #include <QLabel>
 #include <QStyleOptionComboBox>
@@ -62,6 +63,19 @@ TEST(PrintDialog, opens_for_a_show_by_its_bare_name) {
     const QDir here(QDir::currentPath());
     EXPECT_EQ(in.folder_of(in.dialog("paperwork")).text(), here.filePath("paper"));
     EXPECT_EQ(in.folder_of(in.dialog("cue-book")).text(), here.filePath("book"));
+}
+
+TEST(PrintDialog, says_where_what_is_made_is_seen_until_something_is) {
+    Printing in;
+    for (const char* const action : {"paperwork", "cue-book"}) {
+        const PrintDialog& dialog = in.dialog(action);
+        int says = 0;
+        for (const QLabel* const one : dialog.findChildren<QLabel*>())
+            says += one->isVisible() && one->text() == "What is made is shown here." ? 1 : 0;
+        EXPECT_EQ(says, 1) << action;
+        for (const QComboBox* const one : dialog.findChildren<QComboBox*>())
+            EXPECT_FALSE(one->isVisible() && one->count() == 0) << "a list of nothing";
+    }
 }
 
 TEST(PrintDialog, a_book_has_a_language_units_and_marks) {

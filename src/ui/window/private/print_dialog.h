@@ -49,6 +49,7 @@ private:
     void show_result();
     void show_table();
     void show_pictures();
+    void show_empty();
 
     What what_;
     AppModel& app_;
@@ -71,6 +72,7 @@ private:
     QTableWidget* table_ = nullptr;
     QListWidget* pictures_ = nullptr;
     QPlainTextEdit *unknown_, *remarks_;
+    QLabel* empty_; // in the place of what is seen of it
     std::vector<PrintedTable> printed_; // in the order of tables_
 };
 
