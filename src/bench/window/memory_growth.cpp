@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "bench/window/private/memory_growth.h"
 
-#include <algorithm>
+#include "bench/bench.h"
+
 #include <cmath>
 #include <vector>
 
@@ -9,12 +10,6 @@ namespace ghost::app {
 namespace {
 
 constexpr double kAlike_mb = 4; // one picture of the window more or less
-
-double median(std::vector<double> values) {
-    std::sort(values.begin(), values.end());
-    const std::size_t middle = values.size() / 2;
-    return values.size() % 2 == 1 ? values[middle] : (values[middle - 1] + values[middle]) / 2;
-}
 
 } // namespace
 
