@@ -10,7 +10,10 @@
 #include <glm/gtc/packing.hpp>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <map>
+#include <optional>
 #include <tuple>
 
 namespace ghost::bake {
