@@ -48,6 +48,7 @@ protected:
         scene::BounceParts parts(links(), folder_.path, key);
         BounceOptions options = options_;
         options.parts = &parts;
+        if (stop_at < 1) options.threads = 1; // nodes in their order, so that parts are whole one by one
         std::atomic<bool> stops{false};
         options.stop = [&] { return stops.load(); };
         options.progress = [&](double fraction) {
