@@ -184,6 +184,11 @@ def bounce():
     return grid + level + level + links + links + parents + parents
 
 
+def bounce_part():
+    """Of links that were stopped (src/bounce/bounce_parts.h): a cell and a surfel that see each other."""
+    return struct.pack("<I2I2f", 1, 0, 14, 0.5, 2) + struct.pack("<I2I2f", 1, 14, 0, 0.5, 2)
+
+
 def films():
     """A tenth of a second of each kind that shows and sounds are made of."""
     if shutil.which("ffmpeg") is None:
@@ -258,7 +263,7 @@ def made():
         "ghostdmx": [ghostdmx(ghostdmx_block(), 20), ghostdmx_block()], "exr": exrs,
         "baked": exrs + [stage, bytes([3, 3, 0, 0x40, 0xFF, 4]) + b"here" + bytes([0, 0, 0]) + bytes(range(16)),
                          bytes([3, 3, 1, 0xF0, 0x80]) + bytes(80), bytes([3, 3, 0, 7, 0x81, 1]) + b"k" + bytes(range(48))],
-        "bounce": [bounce()], "film": films(), "mvr": [MVR], "plot_show": [MVR],
+        "bounce": [bounce(), bounce_part()], "film": films(), "mvr": [MVR], "plot_show": [MVR],
         "toml_edit": [bytes([4 * k, 0, 1, 9, 4 * k + 1, 0, 2, 9, 4 * k + 2, 0, 4, 9, 4 * k + 3, 0, 5, 9]) + text
                       for k, text in enumerate([TOML] * 6 + [path.read_bytes() for path in sorted((ROOT / "assets").rglob("show.toml"))])],
         "passes": [b'{"format":1,"width":4,"height":4,"folder":"a","lights":[]}'],

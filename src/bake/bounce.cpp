@@ -24,9 +24,12 @@ Result<scene::Bounce> made(const Tracer& tracer, const BounceOptions& options) {
     const glm::vec3 size = options.box.high_m - options.box.low_m;
     if (!(size.x > 0 && size.y > 0 && size.z > 0) || !std::isfinite(size.x + size.y + size.z))
         return Error{"there is no room for light to bounce in: neither stage nor lamps", "bounced light"};
-    const std::vector<float> sizes = options.cell_m > 0
-                                         ? std::vector<float>{options.cell_m}
-                                         : std::vector<float>(kSizes_m.begin(), kSizes_m.end());
+    std::vector<float> sizes(kSizes_m.begin(), kSizes_m.end());
+    if (options.cell_m > 0) sizes = {options.cell_m};
+    // Half of the work may be to find out which size fits.
+    const auto known = std::find(sizes.begin(), sizes.end(), options.parts ? options.parts->cell_m() : 0);
+    const bool is_known = known != sizes.end();
+    if (is_known) sizes.erase(sizes.begin(), known);
     scene::Bounce bounce;
     BounceNodes nodes;
     const Error stopped{"stopped before the links were made", "bounced light"};
@@ -51,6 +54,7 @@ Result<scene::Bounce> made(const Tracer& tracer, const BounceOptions& options) {
     }
     if (bounce.fine.cells.empty())
         return Error{"no lamp hangs in the air: light has no room to bounce in", "bounced light"};
+    if (options.parts && !is_known) options.parts->keep_cell_m(bounce.grid.sub_m * scene::kSubsOfCell);
     if (options.progress) options.progress(kNodesMade);
     if (!make_bounce_links(tracer, options, nodes, bounce)) return stopped;
     if (options.progress) options.progress(1);

@@ -8,6 +8,7 @@
 #include "base/result.h"
 #include "bounce/bounce.h"
 #include "bounce/bounce_box.h"
+#include "bounce/bounce_parts.h"
 #include "rays/tracer.h"
 
 #include <functional>
@@ -25,8 +26,9 @@ struct BounceOptions {
     int rays_of_surfel = 256;
     int rays_of_cell = 512;
     int rays_of_block = 2048;
-    int threads = 0;                               // 0: one per core
-    std::function<bool()> stop;                    // asked from any thread
+    int threads = 0;                     // 0: one per core
+    scene::BounceParts* parts = nullptr; // what a stopped one left is taken up, and kept for the next
+    std::function<bool()> stop;          // asked from any thread
     std::function<void(double fraction)> progress; // never two calls at once
 };
 

@@ -12,6 +12,7 @@
 #include <glm/gtc/packing.hpp>
 #include <mutex>
 #include <numbers>
+#include <span>
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
 
@@ -73,19 +74,34 @@ public:
         const scene::BounceLevel& level = is_coarse ? bounce_.coarse : bounce_.fine;
         const std::size_t count = level.cells.size() + level.surfels.size();
         std::vector<std::vector<FoundLink>> rows(count);
-        tbb::enumerable_thread_specific<Sums> sums;
+        // As many nodes as have work for some tenths of a second.
+        const std::size_t of_part = is_coarse ? 8 * kBand : 64 * kBand;
+        std::vector<std::atomic<std::size_t>> left((count + of_part - 1) / of_part); // nodes of each part
         std::atomic<std::size_t> done{0};
+        const auto rows_of = [&](std::size_t part) {
+            return std::span(rows).subspan(part * of_part, std::min(of_part, count - part * of_part));
+        };
+        for (std::size_t part = 0; part < left.size(); ++part) {
+            left[part] = rows_of(part).size();
+            if (!options_.parts || !options_.parts->take(level, is_coarse, part * of_part, rows_of(part)))
+                continue;
+            done += left[part].exchange(0);
+        }
+        tbb::enumerable_thread_specific<Sums> sums;
         std::mutex saying;
         tbb::parallel_for(std::size_t{0}, (count + kBand - 1) / kBand, [&](std::size_t band) {
-            if (options_.stop && options_.stop()) return;
+            const std::size_t first = band * kBand, end = std::min(first + kBand, count),
+                              part = first / of_part;
+            if (left[part] == 0 || (options_.stop && options_.stop())) return;
             const DenormalsOff mode;
-            for (std::size_t node = band * kBand; node < std::min((band + 1) * kBand, count); ++node)
-                row(is_coarse, node, sums.local(), rows[node]);
-            done += kBand;
+            for (std::size_t node = first; node < end; ++node) row(is_coarse, node, sums.local(), rows[node]);
+            if ((left[part] -= end - first) == 0 && options_.parts)
+                options_.parts->keep(is_coarse, part * of_part, rows_of(part));
+            done += end - first;
             if (!options_.progress) return;
             if (const std::unique_lock lock(saying, std::try_to_lock); lock)
-                options_.progress(from + (to - from) * std::min(1.0, static_cast<double>(done) /
-                                                                         static_cast<double>(count)));
+                options_.progress(from +
+                                  (to - from) * static_cast<double>(done) / static_cast<double>(count));
         });
         if (options_.stop && options_.stop()) return false;
         make_reciprocal(level, rows);

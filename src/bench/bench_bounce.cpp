@@ -104,10 +104,13 @@ Result<void> power_rows(ShowMoment& moment, const Room& room, const bake::Tracer
         const scene::BounceSolution& solved =
             solver.solve(lights, room.of_lights, moment.gobos().images, kPowerOrders);
         const double kept = 1 - static_cast<double>(solver.air().forward_fraction);
+        const bake::OrderPower& landed = walked.orders[0];
         sink({"bounce",
               moment_name(at_s) + ", sent",
-              {{"lm", walked.sent_lm}, {"solved", solved.sent_lm / walked.sent_lm}},
-              "of all lamps"});
+              {{"lm", walked.sent_lm},
+               {"solved", solved.sent_lm / walked.sent_lm},
+               {"goes_on", solved.orders[0].emitted / (landed.reflected + landed.in_air * kept)}},
+              "of all lamps; what goes on after it has landed: solved / particles"});
         double particles = 0, solution = 0;
         for (std::size_t k = 1; k <= kPowerOrders; ++k) {
             const bake::OrderPower& truth = walked.orders[k];

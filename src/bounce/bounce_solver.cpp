@@ -23,6 +23,20 @@ double luminance(const glm::dvec3& rgb) {
 
 } // namespace
 
+glm::dvec3 absorbed_power(const Bounce& bounce, const BounceAir& air, const vec4* flux, const vec4* lux) {
+    glm::dvec3 sum(0);
+    const float kept_per_m = air.extinction_per_m - air.scattering_per_m;
+    for (std::size_t c = 0; c < bounce.fine.cells.size(); ++c)
+        for (std::size_t bin = 0; bin < kBounceBins; ++bin)
+            sum += glm::dvec3(glm::vec3(flux[c * kBounceBins + bin]) *
+                              (bounce.fine.cells[c].volume_m3 * kept_per_m));
+    for (std::size_t s = 0; s < bounce.fine.surfels.size(); ++s) {
+        const BounceSurfel& surfel = bounce.fine.surfels[s];
+        sum += glm::dvec3(glm::vec3(lux[s]) * (1.0f - surfel.albedo) * surfel.area_m2);
+    }
+    return sum;
+}
+
 BounceSolver::BounceSolver(const Bounce& bounce) : bounce_(bounce) {
     sent_.assign(bounce.fine.slots(), vec4(0));
     arriving_ = sent_;
@@ -201,8 +215,8 @@ const BounceSolution& BounceSolver::solve(const std::vector<shared::Light>& ligh
     kept_.clear();
     solution_.orders.clear();
     Field total(sent_.size(), vec4(0));
-    const glm::dvec3 first = sent_power(sent_);
-    solution_.orders.push_back({0, 0, 0, luminance(first)});
+    solution_.first_lm = sent_power(sent_);
+    solution_.orders.push_back({0, 0, 0, luminance(solution_.first_lm)});
     glm::dvec3 before(0), last(0);
     for (int order = 1; order <= passes + 1; ++order) {
         if (order > 1) send_on(arriving_, sent_);
@@ -212,10 +226,17 @@ const BounceSolution& BounceSolver::solve(const std::vector<shared::Light>& ligh
         solution_.orders.push_back(power_of(arriving_));
         if (keeps_orders_) kept_.push_back(arriving_);
         if (order == passes + 1 && order > 2) { // what follows is a geometric series
+            // All that is left may end where more of it is kept than before: of it no more is kept than was
+            // sent.
+            const vec4* const flux = arriving_.data();
+            const glm::dvec3 sent = sent_power(sent_),
+                             kept = absorbed_power(bounce_, air_, flux, flux + bounce_.fine.surfel_slot(0));
             vec4 rest(1);
             for (int c = 0; c < 3; ++c)
-                if (before[c] > 0)
-                    rest[c] = static_cast<float>(1 / (1 - std::min(kMostRest, last[c] / before[c])));
+                if (before[c] > 0) {
+                    const double series = 1 / (1 - std::min(kMostRest, last[c] / before[c]));
+                    rest[c] = static_cast<float>(kept[c] * series > sent[c] ? sent[c] / kept[c] : series);
+                }
             for (vec4& value : arriving_) value *= rest;
         }
         for (std::size_t k = 0; k < total.size(); ++k) total[k] += arriving_[k];

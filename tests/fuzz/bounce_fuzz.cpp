@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// The links of bounced light as a file of .ghost/bounce: any bytes behind a right head and before a right
-// checksum. Links that are taken carry light to places that are there.
+// The links of bounced light as a file of .ghost/bounce, and a part of such that were stopped: any bytes
+// behind a right head and before a right checksum. Links that are taken carry light to places that are there.
 #include "fuzz_folder.h"
 
 #include "bounce/bounce_file.h"
+#include "bounce/bounce_parts.h"
 #include "bounce/bounce_volumes.h"
 #include "disk/crc32.h"
 
@@ -40,19 +41,39 @@ void solve(const Bounce& bounce) {
     (void)lux_on(volumes, lamp.position_m, {0, 0, 1});
 }
 
-} // namespace
+const std::string kKey(32, 'a');
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-    const std::string key(32, 'a');
-    const std::string head = "ghostlight bounce 2\n" + key;
+std::vector<std::uint8_t> file_of(const std::string& magic, const std::uint8_t* data, std::size_t size) {
+    const std::string head = magic + kKey;
     std::vector<std::uint8_t> file(head.begin(), head.end());
     file.insert(file.end(), data, data + size);
     const std::uint32_t check = crc32(file);
     for (int k = 0; k < 4; ++k) file.push_back(static_cast<std::uint8_t>(check >> (8 * k)));
-    const auto bounce = read_bounce(fuzz_file("room.bin", file), key);
+    return file;
+}
+
+void take_part(const std::uint8_t* data, std::size_t size) {
+    fuzz_file("room.near-0.part", file_of("ghostlight bounce part 1\n", data, size));
+    BounceLevel level;
+    level.cells.resize(1);
+    level.surfels.resize(1);
+    BounceParts parts(fuzz_folder() / "room.bin", fuzz_folder(), kKey);
+    std::vector<std::vector<FoundLink>> rows(2);
+    if (!parts.take(level, false, 0, rows)) return;
+    for (const auto& row : rows)
+        for (const FoundLink& link : row)
+            if (link.receiver >= level.slots() || link.emitter >= level.slots()) std::abort();
+}
+
+} // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    take_part(data, size);
+    const auto bounce =
+        read_bounce(fuzz_file("room.bin", file_of("ghostlight bounce 2\n", data, size)), kKey);
     if (!bounce.ok() || !*bounce) return 0;
     solve(**bounce);
     const std::filesystem::path copy = fuzz_folder() / "again.bin";
-    if (!write_bounce(copy, key, **bounce).ok() || !read_bounce(copy, key).ok()) std::abort();
+    if (!write_bounce(copy, kKey, **bounce).ok() || !read_bounce(copy, kKey).ok()) std::abort();
     return 0;
 }

@@ -6,9 +6,11 @@ import csv
 import json
 import pathlib
 import shutil
+import signal
 import subprocess
 import sys
 import tempfile
+import time
 import unittest
 
 SOURCE = pathlib.Path(sys.argv[1]).resolve()
@@ -66,6 +68,36 @@ class Bounce(unittest.TestCase):
         good("render", self.show, "-o", film / "f.png", "--view", "close", "--from", 36, "--to", 36.1, "--fps", 30, *self.size)
         self.assertEqual(sorted(film.iterdir())[0].read_bytes(), bounced)
         self.assertGreater(links.stat().st_mtime_ns, made)
+
+    def test_links_that_were_killed_go_on(self):
+        links = self.show / ".ghost/bounce/normal.bin"
+        words = [str(PROGRAM), "measure", str(self.show), "--at", "36", *map(str, AREA), "--bounce", "normal", "--quiet", "--json"]
+        whole = subprocess.run(words, stdout=subprocess.PIPE, check=True).stdout
+        expected = links.read_bytes()
+        shutil.rmtree(links.parent)
+        killed = subprocess.Popen(words, stdout=subprocess.DEVNULL)
+        deadline = time.monotonic() + 300
+        while len(list(links.parent.glob("normal.near-*.part"))) < 3 and killed.poll() is None and time.monotonic() < deadline:
+            time.sleep(0.02)
+        killed.kill()
+        killed.wait()
+        self.assertFalse(links.exists())
+        kept = {part.name: part.stat().st_mtime_ns for part in links.parent.glob("normal.*.part")}
+        self.assertIn("normal.size.part", kept)
+        self.assertGreaterEqual(len(kept), 4)
+        # Ctrl-C while the second goes on: what the first had kept is not made again.
+        second = subprocess.Popen(words, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        while len(list(links.parent.glob("normal.*.part"))) <= len(kept) and second.poll() is None and time.monotonic() < deadline:
+            time.sleep(0.02)
+        second.send_signal(signal.SIGINT)
+        asked = time.monotonic()
+        self.assertNotEqual(second.wait(timeout=60), 0)
+        print(f"{len(kept)} parts kept by a kill; Ctrl-C ended the next one after {time.monotonic() - asked:.2f} s", file=sys.stderr)
+        now = {part.name: part.stat().st_mtime_ns for part in links.parent.glob("normal.*.part")}
+        self.assertEqual({name: now.get(name) for name in kept}, kept)
+        self.assertEqual(subprocess.run(words, stdout=subprocess.PIPE, check=True).stdout, whole)
+        self.assertEqual(links.read_bytes(), expected, "the same bytes as in one go")
+        self.assertEqual(list(links.parent.glob("*.part")), [])
 
     def test_links_that_are_damaged_are_made_again_and_said(self):
         bounced = self.still("whole.png")

@@ -4,17 +4,13 @@
 // of either. Their mean keeps what each node sees in sum, by factors that are the same for getting and for
 // giving (so no light is lost on the way from those that give to those that get).
 
-#include "bounce/bounce.h"
+#include "bounce/bounce_parts.h"
 
 #include <vector>
 
 namespace ghost::bake {
 
-struct FoundLink {
-    std::uint32_t receiver; // slot
-    std::uint32_t emitter;  // slot
-    float weight, distance_m;
-};
+using scene::FoundLink;
 
 // rows: links of each node, sorted by receiver and emitter; so they are afterwards, too.
 void make_reciprocal(const scene::BounceLevel& level, std::vector<std::vector<FoundLink>>& rows);

@@ -93,7 +93,7 @@ private:
 
 BounceLight::BounceLight(const scene::Show& show, const scene::Stage& stage, scene::BounceDetail level,
                          const shared::Gobos& gobos)
-    : stage_(stage), fixtures_(show.fixtures.size()), home_(show.folder),
+    : stage_(stage), fixtures_(show.fixtures.size()), home_(show.cache_home()),
       file_(scene::bounce_file(show, level)), options_(options_of(level)),
       passes_(level == scene::BounceDetail::fine ? kPasses + 1 : kPasses), gobos_(gobos),
       begin_s_(steady_now_s()) {
@@ -200,10 +200,17 @@ Result<void> BounceLight::make_links(const bake::Tracer& tracer) {
         made_ = true;
         return {};
     }
-    TRY(bounce_, bake::make_bounce(tracer, options_));
+    scene::BounceParts parts(file_, home_, wanted);
+    options_.parts = &parts;
+    Result<scene::Bounce> made = bake::make_bounce(tracer, options_);
+    options_.parts = nullptr;
+    if (const auto failure = parts.take_failure()) complain(*failure);
+    TRY(bounce_, std::move(made));
     Result<void> written = make_folders(file_.parent_path(), home_);
     if (written.ok()) written = scene::write_bounce(file_, wanted, bounce_);
-    if (!written.ok())
+    if (written.ok())
+        parts.remove_all();
+    else
         complain({written.error().what + "; the links of bounced light are not kept", written.error().where});
     made_ = true;
     return {};

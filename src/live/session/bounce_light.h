@@ -6,6 +6,7 @@
 
 #include "bake/bounce.h"
 #include "base/result.h"
+#include "bounce/bounce_parts.h"
 #include "bounce/bounce_volumes.h"
 #include "shared/gobos.h"
 #include "shared/types.h"
@@ -53,8 +54,8 @@ public:
     // Returns when the links are there, or cannot be. on_progress: now and then, with the share.
     void wait_for_links(const std::function<void(double share)>& on_progress);
     void wait_for_links(bool quiet); // with a bar
-    // Ends the making of links; what was made of them goes, and no light bounces. Nothing where they are
-    // there.
+    // Ends the making of links, and no light bounces; what was made of them the next one takes up. Nothing
+    // where they are there.
     void stop_making();
     bool is_stopped() const { return stop_making_; }
     // Why, take_failure says.
@@ -80,7 +81,7 @@ private:
 
     const scene::Stage& stage_;
     const std::size_t fixtures_;
-    const std::filesystem::path home_, file_; // the show's folder, the links'
+    const std::filesystem::path home_, file_; // of the show's caches, of the links
     bake::BounceOptions options_;
     int passes_;
     shared::Gobos gobos_;  // of the thread
