@@ -174,7 +174,7 @@ class Wayland(unittest.TestCase):
             screen = Screen(window)
             left, top = window.place()[:2]
             docked = screen.own()[:, :left]
-            screen.at(left - 24, top + 12)  # the button in its title
+            screen.at(left - 34, top + 12)  # the button in its title
             window.xdo("click", "1")
             screen.until(lambda: screen.own()[:, :left].shape != docked.shape or changed(screen.own()[:, :left], docked) > 2, "it was not torn off")
             window.do("panels-dock", "wait 0.5")
