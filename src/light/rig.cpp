@@ -289,7 +289,7 @@ Rig::Between Rig::between(std::size_t index) const {
 }
 
 bool Rig::is_dark_without_hands(std::size_t index) const {
-    if (!leaves_unasked_dark_ || walls_[index] || projectors_[index]) return false;
+    if (!leaves_unasked_dark_ || walls_[index] || projectors_[index] || !patches_[index].type) return false;
     const std::vector<fixture::Channel>& channels = patches_[index].mode_of().channels;
     return std::any_of(channels.begin(), channels.end(),
                        [](const fixture::Channel& channel) { return !channel.offsets.empty(); });

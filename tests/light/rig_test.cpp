@@ -348,6 +348,7 @@ TEST(rig, WhoIsLeftDarkIsTold) {
     Desk desk("Spot");
     desk.show.fixtures.push_back(hung("Spot", 1));
     desk.show.fixtures.push_back(hung("Spot", 101)); // dark by its file
+    desk.show.fixtures.push_back(PatchedFixture{});  // of no type
     Rig rig(desk.show);
     rig.leave_unasked_dark(true);
     rig.step(desk.universes(), 1.0 / 30, {{1, {.intensity = 1.0f}}});
@@ -357,6 +358,7 @@ TEST(rig, WhoIsLeftDarkIsTold) {
     EXPECT_FALSE(rig.is_left_dark(2));
     EXPECT_EQ(rig.left_dark(), 1u);
     EXPECT_TRUE(rig.is_dark_without_hands(1));
+    EXPECT_FALSE(rig.is_dark_without_hands(3));
     rig.leave_unasked_dark(false);
     EXPECT_FALSE(rig.is_dark_without_hands(1));
     (void)rig.lit(desk.gobos, DistanceMaps{});
