@@ -2128,6 +2128,14 @@
         <translation>Nicht geöffnet: %1.</translation>
     </message>
     <message>
+        <source>Opened, but: %1</source>
+        <translation>Geöffnet, aber: %1</translation>
+    </message>
+    <message>
+        <source>Opened, but: %1 (and %2 more)</source>
+        <translation>Geöffnet, aber: %1 (und %2 weitere)</translation>
+    </message>
+    <message>
         <source>Since this edit: %1</source>
         <translation>Seit dieser Änderung: %1</translation>
     </message>

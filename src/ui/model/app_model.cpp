@@ -232,6 +232,7 @@ void AppModel::take_opened(Opened opened) {
         request_.recording.clear();
         request_.input = Input::automatic; // what was chosen for a show before says nothing of this one
         request_.black_out = request_.frozen = false;
+        request_.work_light = WorkLight::automatic;
         request_.motion.reset();
     }
     Q_EMIT opened_show(); // the view says how large it is, and from where it looks

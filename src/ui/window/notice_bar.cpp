@@ -74,6 +74,8 @@ NoticeBar::NoticeBar(Actions& actions, ShowDocument& document, AppModel& app, QW
     connect(&app_, &AppModel::opened_show, this, [this] {
         if (app_.opened().is_edit) return;
         if (std::exchange(says_not_opened_, false) && !document_.waits_for_answer()) hide();
+        errors_.clear();
+        awaits_messages_ = true;
         say_without_optics();
     });
 }
@@ -156,13 +158,18 @@ void NoticeBar::look_at_messages() {
             anew << said(message.where + ": " + message.what);
     }
     errors_ = std::move(errors);
-    if (!app_.opened().is_edit || anew.isEmpty()) return;
-    const QString words = anew.size() == 1 ? translated("Notice", "Since this edit: %1").arg(anew.front())
-                                           : translated("Notice", "Since this edit: %1 (and %2 more)")
-                                                 .arg(anew.front())
-                                                 .arg(anew.size() - 1);
-    ask(words, {{translated("Notice", "Undo"), "undo"},
-                {translated("Notice", "All messages"), "panel-messages on"}});
+    const bool was_opened = std::exchange(awaits_messages_, false);
+    const bool is_edit = app_.opened().is_edit;
+    if (anew.isEmpty() || (!is_edit && (!was_opened || isVisible()))) return;
+    const QString all = is_edit ? translated("Notice", "Since this edit: %1 (and %2 more)")
+                                : translated("Notice", "Opened, but: %1 (and %2 more)");
+    const QString one =
+        is_edit ? translated("Notice", "Since this edit: %1") : translated("Notice", "Opened, but: %1");
+    const QString words =
+        anew.size() == 1 ? one.arg(anew.front()) : all.arg(anew.front()).arg(anew.size() - 1);
+    ask(words,
+        {is_edit ? Answer{translated("Notice", "Undo"), "undo"} : Answer{translated("Notice", "Close"), ""},
+         {translated("Notice", "All messages"), "panel-messages on"}});
 }
 
 void NoticeBar::ask(const QString& words, const std::vector<Answer>& answers, Kind kind) {

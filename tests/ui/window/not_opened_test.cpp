@@ -49,6 +49,29 @@ struct Failing {
     NoticeBar* bar = window.findChild<NoticeBar*>();
 };
 
+TEST(NotOpened, errors_that_a_show_was_opened_with_are_said_and_later_ones_are_not) {
+    Failing failing;
+    failing.open_one();
+    const auto say = [&](const std::string& what) {
+        failing.link.messages.put(
+            {{Severity::warning, "show.toml:3", "unknown key"}, {Severity::error, "stage.glb", what}});
+        failing.link.on_news();
+        settle();
+    };
+    say("no such file");
+    EXPECT_TRUE(failing.bar->isVisible());
+    EXPECT_TRUE(failing.words_of_bar().contains("stage.glb: no such file"))
+        << failing.words_of_bar().toStdString();
+    failing.button("Close")->trigger();
+    settle();
+    say("a cable is out");
+    EXPECT_FALSE(failing.bar->isVisible()) << "the show was open already";
+    failing.window.app().open("another");
+    failing.open_one();
+    say("no such file");
+    EXPECT_TRUE(failing.bar->isVisible()) << "of this one, too";
+}
+
 TEST(NotOpened, a_show_that_fails_beside_an_open_one_is_said_in_the_bar_and_stays_in_messages) {
     QTemporaryDir folder;
     const QString file = folder.filePath("show.toml");

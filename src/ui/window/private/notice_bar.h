@@ -23,7 +23,7 @@ public:
     QString words() const { return isVisible() ? words_ : QString(); }
 
 private:
-    // Errors that an edit brought with it, as a stage that cannot be read.
+    // Errors that an edit brought with it, or that a show was opened with, as a stage that cannot be read.
     void look_at_messages();
     enum class Kind { question, fault };
     struct Answer {
@@ -43,6 +43,7 @@ private:
     QString words_;
     bool says_not_opened_ = false, says_unseen_ = false, says_refused_ = false;
     bool closed_unseen_ = false;   // by hand, until it is another one
+    bool awaits_messages_ = false; // the first ones of a show that was opened
     std::set<std::string> errors_; // of the show that was open, without their lines, which move
 };
 
