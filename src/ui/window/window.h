@@ -48,6 +48,7 @@ public:
 
 protected:
     void closeEvent(QCloseEvent*) override;
+    void resizeEvent(QResizeEvent*) override;
     void dragEnterEvent(QDragEnterEvent*) override;
     void dropEvent(QDropEvent*) override;
 
@@ -79,6 +80,7 @@ private:
     // In the status line, whole as its tool tip.
     void say(const QString& what, int for_ms = 0);
     void set_full_screen(bool full);
+    void give_sizes_back(); // to panels, after full screen
     void show_shortcuts();
     Result<void> save_picture(const QString& file);
     Result<void> save_state(const QStringList& arguments);
@@ -111,9 +113,11 @@ private:
     CuePanel* cue_table_ = nullptr;
     std::vector<QDockWidget*> docks_;
     PanelRail* rail_ = nullptr;
-    bool has_first_layout_ = false;      // not that of an earlier time
-    std::vector<bool> docks_shown_;      // before full screen
-    std::vector<QDockWidget*> in_front_; // likewise, of those behind one another
+    bool has_first_layout_ = false;     // not that of an earlier time
+    std::vector<bool> docks_shown_;     // before full screen
+    QList<QDockWidget*> in_front_;      // likewise, of those behind one another
+    std::vector<QSize> sizes_in_front_; // likewise, of them
+    QSize size_before_;                 // likewise; empty: they have theirs
     NoticeBar* notice_ = nullptr;
     QToolBar* transport_ = nullptr;
     QToolBar* strip_ = nullptr;                         // of cameras

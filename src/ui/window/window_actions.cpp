@@ -18,6 +18,7 @@
 #include <QMenuBar>
 #include <QSettings>
 #include <QStatusBar>
+#include <QTabBar>
 #include <QUrl>
 
 #include <algorithm>
@@ -277,10 +278,14 @@ void Window::set_full_screen(bool full) {
     if (full) {
         docks_shown_.clear();
         in_front_.clear();
+        sizes_in_front_.clear();
         for (QDockWidget* dock : docks_) {
             docks_shown_.push_back(dock->isVisible());
-            if (!dock->visibleRegion().isEmpty()) in_front_.push_back(dock);
+            if (dock->visibleRegion().isEmpty()) continue;
+            in_front_.push_back(dock);
+            sizes_in_front_.push_back(dock->size());
         }
+        size_before_ = size();
         for (QDockWidget* dock : docks_) dock->hide();
         transport_shown_ = transport_->isVisible();
         strip_shown_ = strip_->isVisible();
@@ -299,8 +304,35 @@ void Window::set_full_screen(bool full) {
         reach_.look(); // its display may have gone meanwhile
         for (std::size_t i = 0; i < docks_shown_.size(); ++i) docks_[i]->setVisible(docks_shown_[i]);
         for (QDockWidget* dock : in_front_) dock->raise();
+        QMetaObject::invokeMethod(
+            this, [this] { give_sizes_back(); }, Qt::QueuedConnection);
     }
     view_->setFocus();
+}
+
+// Panels that come back share what there is anew, so they get theirs when the window has its own again, which
+// a window manager gives it when it likes.
+void Window::give_sizes_back() {
+    if (size_before_.isEmpty() || isFullScreen() || size() != size_before_) return;
+    size_before_ = {};
+    layout()->activate();
+    int tabs_height = 0; // of the bar over panels that lie behind one another, which is shared out as well
+    for (const QTabBar* const tabs : findChildren<QTabBar*>(Qt::FindDirectChildrenOnly))
+        if (tabs->isVisible()) tabs_height = std::max(tabs_height, tabs->height());
+    QList<int> widths, heights;
+    for (qsizetype k = 0; k < in_front_.size(); ++k) {
+        const QSize& size = sizes_in_front_[static_cast<std::size_t>(k)];
+        widths.push_back(size.width());
+        heights.push_back(size.height() + (tabifiedDockWidgets(in_front_[k]).isEmpty() ? 0 : tabs_height));
+    }
+    resizeDocks(in_front_, widths, Qt::Horizontal);
+    resizeDocks(in_front_, heights, Qt::Vertical);
+}
+
+void Window::resizeEvent(QResizeEvent* event) {
+    QMainWindow::resizeEvent(event);
+    QMetaObject::invokeMethod(
+        this, [this] { give_sizes_back(); }, Qt::QueuedConnection);
 }
 
 void Window::show_shortcuts() {

@@ -44,6 +44,23 @@ struct Panels {
     Window window;
 };
 
+TEST(Panels, have_their_sizes_again_after_full_screen) {
+    Panels in;
+    in.open();
+    in.choose("panel-programmer on");
+    QDockWidget &list = in.panel("fixtures"), &below = in.panel("programmer");
+    in.window.resizeDocks({&list, &below}, {230, 360}, Qt::Vertical); // as by hand
+    settle();
+    const QSize of_list = list.size(), of_below = below.size();
+    for (int k = 0; k < 3; ++k) {
+        in.choose("full-screen on");
+        in.choose("full-screen off");
+        settle();
+        EXPECT_EQ(list.size(), of_list) << k;
+        EXPECT_EQ(below.size(), of_below) << k;
+    }
+}
+
 TEST(FirstScreen, what_needs_a_show_cannot_be_pressed_before_there_is_one) {
     Panels in;
     for (const char* const name :
