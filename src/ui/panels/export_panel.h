@@ -38,8 +38,7 @@ private:
     QWidget* make_bake();
     QWidget* make_pictures();
     void run(const QString& line);
-    void run_with_file(const QString& action, const QString& title, const QString& ending,
-                       const QString& arguments);
+    void run_with_file(const QString& action, const FileQuestion& asks, const QString& arguments);
     void name_cameras();
     void show_jobs();
     Row add_row(const Job& job);

@@ -45,6 +45,7 @@
 
 #include <QApplication>
 #include <QCloseEvent>
+#include <QDir>
 #include <QFileInfo>
 #include <QLayout>
 #include <QMenuBar>
@@ -86,6 +87,10 @@ Window::Window(Link& link, const WindowOptions& options)
     statusBar()->addPermanentWidget(status_jobs_);
     statusBar()->addPermanentWidget(status_supply_);
     statusBar()->addPermanentWidget(status_device_);
+    actions_.show_folder = [this] {
+        if (app_.show()) return QString::fromStdString(app_.show()->folder.string());
+        return recent_.all().empty() ? QDir::homePath() : QFileInfo(recent_.all().front().path).path();
+    };
     actions_.complain = [this](const Error& error) { say_refused(error, is_edit(error.where)); };
     const auto edit_refused = [this](const Error& error) { say_refused(error, true); };
     actions_.ask_word = [this](const QString& what, const QString& value,
