@@ -248,8 +248,11 @@ void add_camera_actions(Actions& actions, AppModel& app) {
                  translated("Action", "Select nothing"),
                  "Esc",
                  "",
-                 [&app](const QStringList&) -> Result<void> {
-                     app.select({});
+                 [&app, &actions](const QStringList&) -> Result<void> {
+                     // A hand takes one thing after the other, for the key is pressed twice as easily.
+                     const bool had_object = app.marked().has_value();
+                     app.mark(std::nullopt);
+                     if (!had_object || !actions.is_by_hand()) app.select({});
                      return {};
                  },
                  {}});
