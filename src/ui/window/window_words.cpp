@@ -51,7 +51,9 @@ void Window::name_steps() {
 }
 
 void Window::say_refused(const Error& error, bool is_of_edit) {
-    say(QString::fromStdString(error.text()), 8000);
+    // Names of actions are words of scripts.
+    const bool names_action = actions_.item(QString::fromStdString(error.where)) != nullptr;
+    say(QString::fromStdString(names_action ? error.what : error.text()), 8000);
     if (!is_of_edit || !notice_) return;
     const QString what = said(error.what);
     if (!notice_->say_refused(what)) toast_->say(what);
