@@ -242,6 +242,14 @@ void FixturePanel::show_group() {
     show_selection();
 }
 
+std::optional<std::set<std::size_t>> FixturePanel::listed() const {
+    if (!isVisible() || sorted_->rowCount() == list_->rowCount({})) return std::nullopt;
+    std::set<std::size_t> rows;
+    for (int row = 0; row < sorted_->rowCount(); ++row)
+        rows.insert(static_cast<std::size_t>(sorted_->mapToSource(sorted_->index(row, 0)).row()));
+    return rows;
+}
+
 void FixturePanel::count() {
     const std::size_t all = app_.show() ? app_.show()->fixtures.size() : 0;
     QString words = translated("Fixtures", "%n fixture(s)", nullptr, all);

@@ -111,7 +111,7 @@ Window::Window(Link& link, const WindowOptions& options)
     add_languages();
     add_meter_actions(actions_, app_, *view_);
     add_programmer_actions(actions_, app_);
-    add_camera_actions(actions_, app_);
+    add_camera_actions(actions_, app_, [this] { return fixtures_->listed(); });
     add_tone_actions(actions_, app_);
     add_play_actions(actions_, app_);
     add_look_actions(actions_, app_, looks_);
