@@ -136,7 +136,11 @@ FixturePanel::FixturePanel(AppModel& app, ShowDocument& document, QWidget* paren
     layout->addWidget(title_);
     layout->addLayout(choice);
     layout->addWidget(table_);
-    connect(&app_, &AppModel::opened_show, this, &FixturePanel::list_groups);
+    connect(&app_, &AppModel::opened_show, this, [this] {
+        // What was searched in another show would hide most of this one.
+        if (!app_.opened().is_edit && !app_.opened().again) search_->clear();
+        list_groups();
+    });
     // Rows of another show are sorted by what its heads do, which comes after it. Later changes move no row:
     // levels change all the time.
     connect(list_, &FixtureList::modelReset, this, [this] { since_reset_.start(); });

@@ -59,5 +59,14 @@ TEST(Search, a_hand_selects_all_that_is_listed_and_a_script_all) {
     EXPECT_EQ(in.selection(), (Fixtures{0, 1, 2, 3}));
 }
 
+TEST(Search, is_empty_when_another_show_opens_and_stays_when_the_same_is_read_again) {
+    Searching in;
+    in.search().setText("Lamp 2");
+    in.open(true);
+    EXPECT_EQ(in.search().text(), "Lamp 2");
+    in.open(false);
+    EXPECT_EQ(in.search().text(), "");
+}
+
 } // namespace
 } // namespace ghost::ui
