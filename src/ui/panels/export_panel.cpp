@@ -95,6 +95,7 @@ QWidget* ExportPanel::make_bake() {
     bounces_ = number_box(0, 16, 0, translated("Export", "Bounces of indirect light"), box);
     auto* button = new QPushButton(translated("Export", "Bake"), box);
     connect(button, &QPushButton::clicked, this, [this] {
+        if (can_begin && !can_begin()) return;
         const QString camera =
             bake_camera_->currentIndex() <= 0 ? QString("all") : "\"" + bake_camera_->currentText() + "\"";
         run(QString("bake %1 %2 %3%4")
@@ -197,6 +198,7 @@ void ExportPanel::run(const QString& line) {
 }
 
 void ExportPanel::run_with_file(const QString& action, const FileQuestion& asks, const QString& arguments) {
+    if (can_begin && !can_begin()) return;
     const QString file = actions_.ask_file(asks, this);
     if (!file.isEmpty()) run(action + " \"" + file + "\" " + arguments);
 }

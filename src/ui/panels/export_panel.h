@@ -26,6 +26,9 @@ public:
     // Buttons run actions, so that what goes wrong is said where it is for keys.
     ExportPanel(AppModel& app, Actions& actions, QWidget* parent);
 
+    // Whether a job can begin now; says itself why not. Asked before a file is.
+    std::function<bool()> can_begin;
+
 private:
     // A job in the list.
     struct Row {

@@ -334,8 +334,14 @@ void Window::add_panels() {
     QDockWidget* looks =
         add_panel("looks", translated("Panel", "Looks"), look_list_, Qt::RightDockWidgetArea);
     tabifyDockWidget(scene, looks);
-    QDockWidget* exports = add_panel("export", translated("Panel", "Export"),
-                                     new ExportPanel(app_, actions_, this), Qt::RightDockWidgetArea);
+    auto* export_panel = new ExportPanel(app_, actions_, this);
+    export_panel->can_begin = [this] {
+        const Result<void> saved = exporter_.check_saved();
+        if (!saved.ok()) say_refused(saved.error(), true, "save");
+        return saved.ok();
+    };
+    QDockWidget* exports =
+        add_panel("export", translated("Panel", "Export"), export_panel, Qt::RightDockWidgetArea);
     tabifyDockWidget(looks, exports);
     auto* air_panel = new AirPanel(app_, document_, actions_, this);
     air_panel->complain = [this](const Error& error) { say_refused(error, true); };

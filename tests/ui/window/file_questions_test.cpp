@@ -93,5 +93,32 @@ TEST(FileQuestion, stills_and_films_begin_there_too) {
     }
 }
 
+TEST(FileQuestion, what_reads_the_file_of_a_show_that_is_not_saved_says_so_before_one_is_asked_for) {
+    Asking in;
+    ASSERT_TRUE(in.window.actions().run("panel-export on").ok());
+    ASSERT_TRUE(in.window.actions().run("select \"Lamp 1\"").ok());
+    ASSERT_TRUE(in.window.actions().run("rename Solo").ok());
+    for (const char* const words : {"Still...", "Film...", "Contact sheet...", "Bake"}) {
+        in.began.clear();
+        in.button(words)->click();
+        EXPECT_EQ(in.began, "") << words;
+        EXPECT_TRUE(in.notice().contains("save the show first")) << words << in.notice().toStdString();
+        ASSERT_FALSE(in.bar()->actions().isEmpty());
+        for (QAction* const one : in.bar()->actions())
+            if (one->text() == "Close") one->trigger();
+        EXPECT_EQ(in.notice(), "");
+    }
+    in.button("Still...")->click();
+    QAction* save = nullptr;
+    for (QAction* const one : in.bar()->actions())
+        if (one->text() == "Save the show") save = one;
+    ASSERT_TRUE(save);
+    save->trigger();
+    EXPECT_EQ(in.notice(), "");
+    EXPECT_FALSE(in.window.isWindowModified());
+    in.button("Still...")->click();
+    EXPECT_EQ(in.began, in.here);
+}
+
 } // namespace
 } // namespace ghost::ui
