@@ -1792,6 +1792,10 @@
             <numerusform>Was, wenn %n Geräte hätten</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Nothing is set by hand: set something in Programmer or Scene, or take Store what is seen</source>
+        <translation>Nichts ist von Hand gesetzt: unter Programmer oder Szene etwas setzen, oder Bild speichern nehmen</translation>
+    </message>
 </context>
 <context>
     <name>Menu</name>
@@ -3104,16 +3108,28 @@
         <translation>Was das Pult von den ausgewählten Geräten verlangt, bleibt, was immer es dann sendet</translation>
     </message>
     <message>
-        <source>Give all back (R)</source>
-        <translation>Alles freigeben (R)</translation>
-    </message>
-    <message>
         <source>As the desk says</source>
         <translation>Wie das Pult es sagt</translation>
     </message>
     <message>
         <source>Select fixtures to light the scene by hand, with or without a desk.</source>
         <translation>Geräte auswählen, um die Szene von Hand zu beleuchten, mit oder ohne Pult.</translation>
+    </message>
+    <message>
+        <source>Give back (R)</source>
+        <translation>Freigeben (R)</translation>
+    </message>
+    <message>
+        <source>What is set by hand of the selected fixtures</source>
+        <translation>Was von den ausgewählten Geräten von Hand gesetzt ist</translation>
+    </message>
+    <message>
+        <source>Give all back (Shift+R)</source>
+        <translation>Alles freigeben (Umschalt+R)</translation>
+    </message>
+    <message>
+        <source>All that is set by hand, whatever is selected: fixtures, scene, objects</source>
+        <translation>Alles von Hand Gesetzte, was immer ausgewählt ist: Geräte, Szene, Objekte</translation>
     </message>
 </context>
 <context>
@@ -5468,10 +5484,6 @@ Bitte den Namen des Ordners prüfen.</translation>
         <translation>es gibt %1 Looks; zuerst einen entfernen</translation>
     </message>
     <message>
-        <source>nothing is set by hand; &apos;look-capture&apos; stores what a desk or recording does</source>
-        <translation>nichts ist von Hand gesetzt; &apos;look-capture&apos; speichert, was Pult oder Aufzeichnung tun</translation>
-    </message>
-    <message>
         <source>there is no look yet: store one</source>
         <translation>noch gibt es keinen Look: einen speichern</translation>
     </message>
@@ -7022,6 +7034,10 @@ Bitte den Namen des Ordners prüfen.</translation>
     <message>
         <source>the XML is not well formed: %1</source>
         <translation>das XML ist nicht wohlgeformt: %1</translation>
+    </message>
+    <message>
+        <source>nothing is set by hand; &apos;Store what is seen&apos; in Looks stores what a desk or recording does</source>
+        <translation>nichts ist von Hand gesetzt; &apos;Bild speichern&apos; unter Looks speichert, was Pult oder Aufzeichnung tun</translation>
     </message>
 </context>
 <context>

@@ -3,7 +3,9 @@
 
 #include "base/suggest.h"
 
+#include <QDir>
 #include <QFileDialog>
+#include <QFileInfo>
 
 #include <cmath>
 #include <utility>
@@ -57,13 +59,25 @@ void Actions::choose(const QString& line) {
     if (!done.ok() && complain) complain(done.error());
 }
 
+QString Actions::ask_file(const FileQuestion& asks, QWidget* over) {
+    const QDir of_show(show_folder ? show_folder() : QString());
+    const QString last = asks.begins == Begins::where_last ? last_folders_[asks.title] : QString();
+    const QDir folder(!last.isEmpty()                      ? last
+                      : asks.begins == Begins::beside_show ? QFileInfo(of_show.absolutePath()).path()
+                                                           : of_show.absolutePath());
+    QWidget* const parent = over ? over : &window_;
+    QString file =
+        asks.proposed.isEmpty()
+            ? QFileDialog::getOpenFileName(parent, asks.title, folder.path(), asks.endings)
+            : QFileDialog::getSaveFileName(parent, asks.title, folder.filePath(asks.proposed), asks.endings);
+    if (!file.isEmpty()) last_folders_[asks.title] = QFileInfo(file).absolutePath();
+    return file;
+}
+
 Result<void> Actions::choose(const Action& action, QStringList arguments) {
     const FileQuestion& asks = action.asks;
     if (arguments.isEmpty() && !asks.title.isEmpty()) {
-        const QString file =
-            asks.proposed.isEmpty()
-                ? QFileDialog::getOpenFileName(&window_, asks.title, {}, asks.endings)
-                : QFileDialog::getSaveFileName(&window_, asks.title, asks.proposed, asks.endings);
+        const QString file = ask_file(asks);
         if (file.isEmpty()) return {};
         arguments.append(file);
     }

@@ -17,11 +17,16 @@
 
 namespace ghost::ui {
 
+// Where its dialog begins, for the folder of the terminal is none that a person has in mind: where the same
+// was asked last, at first with the show that is open; always with that show; or beside its folder.
+enum class Begins { where_last, with_show, beside_show };
+
 // What a person is asked in a dialog who chose an action without its file; a script has to name it.
 struct FileQuestion {
     QString title;
     QString endings;  // as QFileDialog takes them: "Pictures (*.png *.exr)"
     QString proposed; // a name to save by; empty: an existing file is chosen
+    Begins begins = Begins::where_last;
 };
 
 struct Action {
@@ -50,11 +55,15 @@ public:
     // The same by a person's hand: what lacks its file is asked for (no answer: nothing happens), and what
     // went wrong goes to `complain`.
     void choose(const QString& line);
+    // Asks a person. Empty: no answer.
+    QString ask_file(const FileQuestion& asks, QWidget* over = nullptr);
     // While an action runs: whether a person chose it.
     bool is_by_hand() const { return by_hand_; }
     // Sets the ticks of all switches.
     void refresh();
 
+    // The folder of the show that is open, else one to begin with.
+    std::function<QString()> show_folder;
     // Where what went wrong is said when a person did it, not a script.
     std::function<void(const Error&)> complain;
     // A word that a person is asked for who chose an action without it: what, what is proposed, and what
@@ -76,6 +85,7 @@ private:
     QWidget& window_;
     std::vector<Action> actions_;
     std::map<QString, QAction*> items_;
+    std::map<QString, QString> last_folders_; // by title of the question
     bool by_hand_ = false;
 };
 

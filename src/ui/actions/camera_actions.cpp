@@ -129,7 +129,8 @@ void add_moves(Actions& actions, AppModel& app) {
 
 } // namespace
 
-void add_camera_actions(Actions& actions, AppModel& app) {
+void add_camera_actions(Actions& actions, AppModel& app,
+                        const std::function<std::optional<std::set<std::size_t>>()>& listed) {
     actions.add({"camera",
                  "",
                  "camera",
@@ -235,9 +236,11 @@ void add_camera_actions(Actions& actions, AppModel& app) {
                  translated("Action", "Select all fixtures"),
                  "Ctrl+A",
                  "",
-                 [&app](const QStringList&) -> Result<void> {
+                 [&app, &actions, listed](const QStringList&) -> Result<void> {
                      std::set<std::size_t> all;
-                     for (std::size_t i = 0; app.show() && i < app.show()->fixtures.size(); ++i)
+                     const auto of_list = actions.is_by_hand() && listed ? listed() : std::nullopt;
+                     if (of_list) all = *of_list;
+                     for (std::size_t i = 0; !of_list && app.show() && i < app.show()->fixtures.size(); ++i)
                          all.insert(i);
                      app.select(std::move(all));
                      return {};
@@ -248,8 +251,11 @@ void add_camera_actions(Actions& actions, AppModel& app) {
                  translated("Action", "Select nothing"),
                  "Esc",
                  "",
-                 [&app](const QStringList&) -> Result<void> {
-                     app.select({});
+                 [&app, &actions](const QStringList&) -> Result<void> {
+                     // A hand takes one thing after the other, for the key is pressed twice as easily.
+                     const bool had_object = app.marked().has_value();
+                     app.mark(std::nullopt);
+                     if (!had_object || !actions.is_by_hand()) app.select({});
                      return {};
                  },
                  {}});

@@ -37,9 +37,9 @@ const std::set<QString> kNeedNothing{"new",
                                      "open-outside",
                                      "state",
                                      "reset-figures"};
-const std::set<QString> kNeedSelection{"select-none", "hold",  "select-similar", "duplicate", "remove",
-                                       "unpatch",     "hang",  "distribute",     "align-x",   "align-y",
-                                       "align-z",     "focus", "aim-through"};
+const std::set<QString> kNeedSelection{"hold",    "select-similar", "duplicate",  "remove",
+                                       "unpatch", "hang",           "distribute", "align-x",
+                                       "align-y", "align-z",        "focus",      "aim-through"};
 const std::set<QString> kNeedEditable{"add-fixture", "duplicate", "remove",      "unpatch", "hang",
                                       "distribute",  "align-x",   "align-y",     "align-z", "set-stage",
                                       "add-model",   "add-hazer", "keep-camera", "save",    "fly-on-hoists"};
@@ -184,6 +184,8 @@ const std::map<QString, Condition> kOfTheirOwnInAShow{
     {"drop-changes", [](const AppModel&, const ShowDocument& document) { return document.has_draft(); }},
     {"take-over", [](const AppModel&, const ShowDocument& document) { return document.is_read_only(); }},
     {"save-picture", [](const AppModel& app, const ShowDocument&) { return app.picture().image != nullptr; }},
+    {"select-none", [](const AppModel& app,
+                       const ShowDocument&) { return !app.selection().empty() || app.marked().has_value(); }},
     {"release",
      [](const AppModel& app, const ShowDocument&) {
          return std::any_of(app.selection().begin(), app.selection().end(),

@@ -65,11 +65,16 @@ Exporter::Exporter(AppModel& app, ShowDocument& document) : app_(app), document_
     });
 }
 
-Result<QString> Exporter::show_file() const {
+Result<void> Exporter::check_saved() const {
     if (!app_.show()) return Error{"no show is open", ""};
     if (document_.is_changed() || document_.has_draft())
         return Error{"save the show first (Ctrl+S): what runs in the background reads its file",
                      app_.show()->file.string()};
+    return {};
+}
+
+Result<QString> Exporter::show_file() const {
+    TRY_VOID(check_saved());
     return QFileInfo(QString::fromStdString(app_.show()->file.string())).absoluteFilePath();
 }
 

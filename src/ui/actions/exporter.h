@@ -47,6 +47,9 @@ public:
     // command: "paper" or "book", with its own options.
     Result<int> print(const QString& command, const QString& folder, const QStringList& options);
 
+    // Whether its file is as it is seen, so that a job can begin.
+    Result<void> check_saved() const;
+
 private:
     Result<QString> show_file() const;
     Result<QStringList> look_arguments(bool for_farm);

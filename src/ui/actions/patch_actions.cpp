@@ -194,7 +194,7 @@ void add_document_actions(Actions& actions, ShowDocument& document) {
                  [&document](const QStringList& words) { return document.save_copy(words[0].toStdString()); },
                  {},
                  {translated("Files", "Save a copy of the show file"),
-                  translated("Files", "Show files (*.toml)"), "show.toml"}});
+                  translated("Files", "Show files (*.toml)"), "show-copy.toml"}});
     actions.add({"reload",
                  "Show",
                  translated("Action", "Take what the show file says now"),

@@ -72,7 +72,9 @@ QString words_of(const Look& look);
 // "intensity 0.5", "release", "smoke 2", "shadows off" and so on.
 void add_programmer_actions(Actions& actions, AppModel& app);
 // "camera house", "orbit 30 0", "exposure 6", "focus" and so on.
-void add_camera_actions(Actions& actions, AppModel& app);
+// listed: what a hand means by all; nothing: all there are.
+void add_camera_actions(Actions& actions, AppModel& app,
+                        const std::function<std::optional<std::set<std::size_t>>()>& listed = {});
 // "play", "jump 20", "input desk", "fps 25", "resolution 50" and so on.
 void add_play_actions(Actions& actions, AppModel& app);
 

@@ -135,15 +135,15 @@ Result<void> import_plot(AppModel& app, const QString& plot) {
 
 void add_show_actions(Actions& actions, AppModel& app, ShowDocument& document, const std::string& docs,
                       QWidget& window) {
-    actions.add(
-        {"new",
-         "Show",
-         translated("Action", "New show..."),
-         "Ctrl+N",
-         "FOLDER",
-         [&app](const QStringList& words) { return make_show(app, words[0]); },
-         {},
-         {translated("Files", "A new show: its folder"), translated("Files", "Folders (*)"), "My show"}});
+    actions.add({"new",
+                 "Show",
+                 translated("Action", "New show..."),
+                 "Ctrl+N",
+                 "FOLDER",
+                 [&app](const QStringList& words) { return make_show(app, words[0]); },
+                 {},
+                 {translated("Files", "A new show: its folder"), translated("Files", "Folders (*)"),
+                  "My show", Begins::beside_show}});
     actions.add({"import-plot",
                  "Show",
                  translated("Action", "Import a plot..."),
@@ -160,7 +160,7 @@ void add_show_actions(Actions& actions, AppModel& app, ShowDocument& document, c
                  [&app, &document](const QStringList& words) { return save_as(app, document, words[0]); },
                  {},
                  {translated("Files", "Save the show under another name beside it"),
-                  translated("Files", "Show files (*.toml)"), "show-2.toml"}});
+                  translated("Files", "Show files (*.toml)"), "show-2.toml", Begins::with_show}});
     actions.add({"documentation",
                  "Help",
                  translated("Action", "Documentation"),

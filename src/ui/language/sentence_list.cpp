@@ -969,8 +969,9 @@ constexpr const char* kSentences[] = {
     QT_TRANSLATE_NOOP("Sentence", "looks cannot be stored before this is mended, for that would lose it: %1"),
     QT_TRANSLATE_NOOP("Sentence", "was changed by another program and is read again; once more, please"),
     QT_TRANSLATE_NOOP("Sentence", "there are %1 looks; remove one first"),
-    QT_TRANSLATE_NOOP("Sentence",
-                      "nothing is set by hand; 'look-capture' stores what a desk or recording does"),
+    QT_TRANSLATE_NOOP(
+        "Sentence",
+        "nothing is set by hand; 'Store what is seen' in Looks stores what a desk or recording does"),
     QT_TRANSLATE_NOOP("Sentence", "there is no look yet: store one"),
     QT_TRANSLATE_NOOP("Sentence", "another look is called '%1'"),
     QT_TRANSLATE_NOOP("Sentence", "there is no look '%1', did you mean '%2'?"),

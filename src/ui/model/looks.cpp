@@ -183,8 +183,17 @@ void Looks::add_movers(scene::StoredLook& look) const {
         if (index < app_.show()->movers.size()) look.movers[app_.show()->movers[index].name] = values;
 }
 
+bool Looks::can_store() const {
+    const Look& look = app_.look();
+    return app_.show() &&
+           (!look.fixtures.empty() || !look.movers.empty() || look.scene != scene::SceneLook{});
+}
+
 Result<void> Looks::store(const std::string& name) {
     if (!app_.show()) return Error{"no show is open", ""};
+    if (!can_store())
+        return Error{
+            "nothing is set by hand; 'Store what is seen' in Looks stores what a desk or recording does", ""};
     scene::StoredLook look;
     look.name = name;
     look.scene = app_.look().scene;
@@ -192,8 +201,6 @@ Result<void> Looks::store(const std::string& name) {
         if (index < app_.show()->fixtures.size())
             look.fixtures[app_.show()->fixtures[index].name] = programmer;
     add_movers(look);
-    if (look.fixtures.empty() && look.movers.empty() && look.scene == scene::SceneLook{})
-        return Error{"nothing is set by hand; 'look-capture' stores what a desk or recording does", ""};
     return put_in(std::move(look));
 }
 

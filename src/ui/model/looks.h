@@ -27,6 +27,8 @@ public:
     // The one that was stored or recalled last, while nothing was changed by hand since; empty: none.
     std::string current() const;
 
+    // Whether anything is set by hand.
+    bool can_store() const;
     // All that is set by hand; under a name that is there it replaces that one, and keeps its seconds.
     Result<void> store(const std::string& name);
     // All that the fixtures are asked for now, whoever asks for it: all of them, or the selected ones.

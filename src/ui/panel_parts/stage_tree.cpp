@@ -141,8 +141,10 @@ void StageTree::follow_mark() {
     const Following following(follows_);
     if (app_.marked())
         choose(*app_.marked());
-    else
+    else {
         tree_->setCurrentItem(nullptr);
+        tree_->clearSelection(); // its row would look chosen still
+    }
 }
 
 void StageTree::fill() {

@@ -7,7 +7,6 @@
 #include "ui/language/language.h"
 #include "ui/widgets/theme.h"
 
-#include <QFileDialog>
 #include <QFormLayout>
 #include <QGroupBox>
 #include <QHBoxLayout>
@@ -96,6 +95,7 @@ QWidget* ExportPanel::make_bake() {
     bounces_ = number_box(0, 16, 0, translated("Export", "Bounces of indirect light"), box);
     auto* button = new QPushButton(translated("Export", "Bake"), box);
     connect(button, &QPushButton::clicked, this, [this] {
+        if (can_begin && !can_begin()) return;
         const QString camera =
             bake_camera_->currentIndex() <= 0 ? QString("all") : "\"" + bake_camera_->currentText() + "\"";
         run(QString("bake %1 %2 %3%4")
@@ -150,8 +150,9 @@ QWidget* ExportPanel::make_pictures() {
     };
     connect(still, &QPushButton::clicked, this, [this, can_be] {
         if (camera_->currentIndex() <= 0 && !can_be(check_still_of(app_, size_->currentText()))) return;
-        run_with_file("export-still", translated("Export", "Save a still"),
-                      translated("Files", "Pictures (*.png *.exr)"),
+        run_with_file("export-still",
+                      {translated("Export", "Save a still"), translated("Files", "Pictures (*.png *.exr)"),
+                       "still.png"},
                       camera_->currentIndex() <= 0 ? "\"" + size_->currentText() + "\""
                                                    : "\"" + camera_->currentText() + "\"");
     });
@@ -159,8 +160,8 @@ QWidget* ExportPanel::make_pictures() {
         if (const auto size = size_of(size_->currentText());
             !can_be(size.ok() ? Result<void>() : size.error()))
             return;
-        run_with_file("export-film", translated("Export", "Save a film"),
-                      translated("Files", "Films (*.mp4)"),
+        run_with_file("export-film",
+                      {translated("Export", "Save a film"), translated("Files", "Films (*.mp4)"), "film.mp4"},
                       QString("%1 %2 %3 %4%5")
                           .arg(from_->value())
                           .arg(to_->value())
@@ -169,8 +170,10 @@ QWidget* ExportPanel::make_pictures() {
                           .arg(film_by_->currentData().toString()));
     });
     connect(sheet, &QPushButton::clicked, this, [this] {
-        run_with_file("export-sheet", translated("Export", "Save a contact sheet"),
-                      translated("Files", "Pictures (*.png)"), "");
+        run_with_file("export-sheet",
+                      {translated("Export", "Save a contact sheet"), translated("Files", "Pictures (*.png)"),
+                       "sheet.png"},
+                      "");
     });
     auto* range = new QHBoxLayout;
     range->addWidget(from_);
@@ -194,9 +197,9 @@ void ExportPanel::run(const QString& line) {
     actions_.choose(line);
 }
 
-void ExportPanel::run_with_file(const QString& action, const QString& title, const QString& ending,
-                                const QString& arguments) {
-    const QString file = QFileDialog::getSaveFileName(this, title, QString(), ending);
+void ExportPanel::run_with_file(const QString& action, const FileQuestion& asks, const QString& arguments) {
+    if (can_begin && !can_begin()) return;
+    const QString file = actions_.ask_file(asks, this);
     if (!file.isEmpty()) run(action + " \"" + file + "\" " + arguments);
 }
 

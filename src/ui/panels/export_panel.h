@@ -26,6 +26,9 @@ public:
     // Buttons run actions, so that what goes wrong is said where it is for keys.
     ExportPanel(AppModel& app, Actions& actions, QWidget* parent);
 
+    // Whether a job can begin now; says itself why not. Asked before a file is.
+    std::function<bool()> can_begin;
+
 private:
     // A job in the list.
     struct Row {
@@ -38,8 +41,7 @@ private:
     QWidget* make_bake();
     QWidget* make_pictures();
     void run(const QString& line);
-    void run_with_file(const QString& action, const QString& title, const QString& ending,
-                       const QString& arguments);
+    void run_with_file(const QString& action, const FileQuestion& asks, const QString& arguments);
     void name_cameras();
     void show_jobs();
     Row add_row(const Job& job);

@@ -136,7 +136,11 @@ FixturePanel::FixturePanel(AppModel& app, ShowDocument& document, QWidget* paren
     layout->addWidget(title_);
     layout->addLayout(choice);
     layout->addWidget(table_);
-    connect(&app_, &AppModel::opened_show, this, &FixturePanel::list_groups);
+    connect(&app_, &AppModel::opened_show, this, [this] {
+        // What was searched in another show would hide most of this one.
+        if (!app_.opened().is_edit && !app_.opened().again) search_->clear();
+        list_groups();
+    });
     // Rows of another show are sorted by what its heads do, which comes after it. Later changes move no row:
     // levels change all the time.
     connect(list_, &FixtureList::modelReset, this, [this] { since_reset_.start(); });
@@ -240,6 +244,14 @@ void FixturePanel::show_group() {
         sorted_->show_only(std::move(only));
     }
     show_selection();
+}
+
+std::optional<std::set<std::size_t>> FixturePanel::listed() const {
+    if (!isVisible() || sorted_->rowCount() == list_->rowCount({})) return std::nullopt;
+    std::set<std::size_t> rows;
+    for (int row = 0; row < sorted_->rowCount(); ++row)
+        rows.insert(static_cast<std::size_t>(sorted_->mapToSource(sorted_->index(row, 0)).row()));
+    return rows;
 }
 
 void FixturePanel::count() {

@@ -24,6 +24,8 @@ public:
     FixturePanel(AppModel& app, ShowDocument& document, QWidget* parent);
     void find() { search_->setFocus(); }
     QTableView* table() { return table_; }
+    // By index; nothing: the list is out of sight, or has all.
+    std::optional<std::set<std::size_t>> listed() const;
 
     // What an edit that cannot be done says.
     std::function<void(const Error&)> complain;

@@ -35,9 +35,8 @@ LookPanel::LookPanel(AppModel& app, Looks& looks, Actions& actions, QWidget* par
     const auto name = [this] { return quoted(chosen()); };
     recall_ = add_button(translated("Looks", "Recall"), translated("Looks", "Fades to it"),
                          [=] { return "look-recall " + name(); });
-    auto* store = new QPushButton(translated("Looks", "Store programmer"), this);
-    store->setToolTip(translated("Looks", "As a new look"));
-    connect(store, &QPushButton::clicked, this, [this] { store_new("look-store"); });
+    store_ = new QPushButton(translated("Looks", "Store programmer"), this);
+    connect(store_, &QPushButton::clicked, this, [this] { store_new("look-store"); });
     auto* capture = new QPushButton(translated("Looks", "Store what is seen"), this);
     capture->setToolTip(translated("Looks", "Of the selected fixtures, or of all: whoever asked for it"));
     connect(capture, &QPushButton::clicked, this, [this] { store_new("look-capture"); });
@@ -58,7 +57,7 @@ LookPanel::LookPanel(AppModel& app, Looks& looks, Actions& actions, QWidget* par
     });
     buttons->addWidget(recall_, 0, 0);
     buttons->addWidget(fade_, 0, 1);
-    buttons->addWidget(store, 1, 0);
+    buttons->addWidget(store_, 1, 0);
     buttons->addWidget(capture, 1, 1);
     buttons->addWidget(update_, 2, 0);
     buttons->addWidget(remove_, 2, 1);
@@ -127,6 +126,7 @@ void LookPanel::fill_menu(QMenu& menu) {
     menu.addSeparator();
     add(translated("Looks", "Rename"), [this] { list_->editItem(list_->currentItem()); });
     add(translated("Looks", "Update with what hands set"), [this, name] { run("look-store " + name); });
+    menu.actions().back()->setEnabled(looks_.can_store());
     menu.addSeparator();
     add(translated("Looks", "Remove"), [this, name] { run("look-remove " + name); });
 }
@@ -191,8 +191,16 @@ void LookPanel::refresh() {
         item->setForeground(item->text() == current ? accent() : palette().color(QPalette::Text));
     }
     const Result<std::size_t> index = scene::find_look(looks_.all(), chosen().toStdString());
-    for (QWidget* widget : std::initializer_list<QWidget*>{recall_, update_, remove_, fade_})
+    for (QWidget* widget : std::initializer_list<QWidget*>{recall_, remove_, fade_})
         widget->setEnabled(index.ok());
+    const bool any_by_hand = looks_.can_store();
+    const QString why =
+        translated("Looks", "Nothing is set by hand: set something in Programmer or Scene, or "
+                            "take Store what is seen");
+    store_->setEnabled(any_by_hand);
+    store_->setToolTip(any_by_hand ? translated("Looks", "As a new look") : why);
+    update_->setEnabled(index.ok() && any_by_hand);
+    update_->setToolTip(any_by_hand ? translated("Looks", "Puts what hands set in its place") : why);
     if (index.ok()) fade_->setValue(static_cast<double>(looks_.all()[*index].fade_s));
     solo_->setChecked(!app_.look().solo.empty());
     const std::size_t count = app_.selection().size();

@@ -44,7 +44,7 @@ private:
     Actions& actions_;
     QListWidget* list_;
     QDoubleSpinBox* fade_;
-    QPushButton *update_, *recall_, *remove_, *solo_;
+    QPushButton *store_, *update_, *recall_, *remove_, *solo_;
     QLabel* what_if_;
     ColourRow* gel_;
     ValueRow *lamp_, *lamp_k_;

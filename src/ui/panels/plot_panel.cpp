@@ -6,7 +6,6 @@
 #include "ui/widgets/wrapped_text.h"
 
 #include <QComboBox>
-#include <QFileDialog>
 #include <QGridLayout>
 #include <QHBoxLayout>
 #include <QHeaderView>
@@ -123,9 +122,10 @@ void PlotPanel::add_lightless(QTreeWidgetItem& section, const scene::LightlessTy
     connect(take, &QToolButton::clicked, this, [this, choice, wanted] {
         QStringList file = choice->currentData().toStringList();
         if (file.isEmpty())
-            file << QFileDialog::getOpenFileName(
-                this, translated("Plot", "A fixture that stands in"), {},
-                translated("Files", "Fixtures (*.gdtf *.qxf *.json);;All files (*)"));
+            file << actions_.ask_file({translated("Plot", "A fixture that stands in"),
+                                       translated("Files", "Fixtures (*.gdtf *.qxf *.json);;All files (*)"),
+                                       ""},
+                                      this);
         if (file.first().isEmpty()) return;
         QString line = "substitute " + quoted(wanted);
         for (const QString& word : file) line += " " + quoted(word);

@@ -88,11 +88,13 @@ ProgrammerPanel::ProgrammerPanel(AppModel& app, PaletteList& palettes, Actions& 
     hold_->setToolTip(translated(
         "Programmer", "What the desk asks of the selected fixtures stays, whatever it sends then"));
     connect(hold_, &QPushButton::clicked, this, [&actions] { actions.choose("hold"); });
-    release_ = new QPushButton(translated("Programmer", "Give all back (R)"), this);
-    connect(release_, &QPushButton::clicked, this, [this] {
-        change_selected(app_, translated("Undo", "release"), ProgrammerStep::step,
-                        [](fixture::Programmer& programmer) { programmer = {}; });
-    });
+    release_ = new QPushButton(translated("Programmer", "Give back (R)"), this);
+    release_->setToolTip(translated("Programmer", "What is set by hand of the selected fixtures"));
+    connect(release_, &QPushButton::clicked, this, [&actions] { actions.choose("release"); });
+    release_all_ = new QPushButton(translated("Programmer", "Give all back (Shift+R)"), this);
+    release_all_->setToolTip(
+        translated("Programmer", "All that is set by hand, whatever is selected: fixtures, scene, objects"));
+    connect(release_all_, &QPushButton::clicked, this, [&actions] { actions.choose("release-all"); });
     auto* gobo = new QHBoxLayout;
     gobo->setSpacing(ValueRow::kBetween_px);
     auto* gobo_label = new QLabel(translated("Programmer", "Gobo"), this);
@@ -118,6 +120,7 @@ ProgrammerPanel::ProgrammerPanel(AppModel& app, PaletteList& palettes, Actions& 
     buttons->addWidget(hold_);
     buttons->addWidget(release_, 1);
     layout->addLayout(buttons);
+    layout->addWidget(release_all_);
     parameter_timer_.setSingleShot(true);
     parameter_timer_.setInterval(kParametersEvery_ms);
     connect(&parameter_timer_, &QTimer::timeout, this, &ProgrammerPanel::refresh_parameters);
@@ -310,8 +313,10 @@ void ProgrammerPanel::refresh() {
     const auto current = app_.current();
     const bool any = app_.show() && current && *current < app_.rig().fixtures.size();
     for (const Row& row : rows_) row.row->setEnabled(any);
-    for (QWidget* one : std::initializer_list<QWidget*>{colour_, gobo_, hold_, release_})
-        one->setEnabled(any);
+    for (QWidget* one : std::initializer_list<QWidget*>{colour_, gobo_, hold_}) one->setEnabled(any);
+    release_->setEnabled(std::any_of(app_.selection().begin(), app_.selection().end(),
+                                     [this](std::size_t one) { return app_.look().fixtures.contains(one); }));
+    release_all_->setEnabled(app_.show() && !app_.look().is_empty());
     if (!any) {
         title_->setText(
             translated("Programmer", "Select fixtures to light the scene by hand, with or without a desk."));

@@ -65,7 +65,7 @@ private:
     QComboBox* gobo_;
     PaletteBox* palettes_;
     FanBox* fan_;
-    QPushButton *hold_, *release_;
+    QPushButton *hold_, *release_, *release_all_;
     QWidget* parameter_box_ = nullptr;
     std::vector<HeadParameter> parameters_;
     std::vector<ParameterRow*> parameter_rows_;

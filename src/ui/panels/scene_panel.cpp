@@ -45,8 +45,8 @@ ScenePanel::ScenePanel(AppModel& app, QWidget* parent) : QWidget(parent), app_(a
     layout->addWidget(movers);
     add_stage(layout);
     connect(&app_, &AppModel::opened_show, this, &ScenePanel::fill);
-    for (const auto signal :
-         {&AppModel::look_changed, &AppModel::request_changed, &AppModel::selection_changed})
+    for (const auto signal : {&AppModel::look_changed, &AppModel::request_changed,
+                              &AppModel::selection_changed, &AppModel::marked_changed})
         connect(&app_, signal, this, &ScenePanel::refresh);
     setEnabled(false);
 }

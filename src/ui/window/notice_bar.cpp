@@ -80,11 +80,14 @@ NoticeBar::NoticeBar(Actions& actions, ShowDocument& document, AppModel& app, QW
     });
 }
 
-bool NoticeBar::say_refused(const QString& what) {
+bool NoticeBar::say_refused(const QString& what, const QString& helps) {
     const bool is_plot_alone = app_.show() && app_.show()->file == app_.show()->plot_file; // was asked
     if (is_plot_alone && isVisible()) return true;
     if (document_.waits_for_answer() || says_not_opened_) return false;
-    ask(translated("Notice", "Not done: %1").arg(what), {{translated("Notice", "Close"), ""}}, Kind::fault);
+    std::vector<Answer> answers{{translated("Notice", "Close"), ""}};
+    if (const QAction* const help = actions_.item(helps))
+        answers.insert(answers.begin(), {help->text(), helps});
+    ask(translated("Notice", "Not done: %1").arg(what), answers, Kind::fault);
     says_refused_ = true;
     return true;
 }

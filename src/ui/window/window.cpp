@@ -45,6 +45,7 @@
 
 #include <QApplication>
 #include <QCloseEvent>
+#include <QDir>
 #include <QFileInfo>
 #include <QLayout>
 #include <QMenuBar>
@@ -86,6 +87,10 @@ Window::Window(Link& link, const WindowOptions& options)
     statusBar()->addPermanentWidget(status_jobs_);
     statusBar()->addPermanentWidget(status_supply_);
     statusBar()->addPermanentWidget(status_device_);
+    actions_.show_folder = [this] {
+        if (app_.show()) return QString::fromStdString(app_.show()->folder.string());
+        return recent_.all().empty() ? QDir::homePath() : QFileInfo(recent_.all().front().path).path();
+    };
     actions_.complain = [this](const Error& error) { say_refused(error, is_edit(error.where)); };
     const auto edit_refused = [this](const Error& error) { say_refused(error, true); };
     actions_.ask_word = [this](const QString& what, const QString& value,
@@ -106,7 +111,7 @@ Window::Window(Link& link, const WindowOptions& options)
     add_languages();
     add_meter_actions(actions_, app_, *view_);
     add_programmer_actions(actions_, app_);
-    add_camera_actions(actions_, app_);
+    add_camera_actions(actions_, app_, [this] { return fixtures_->listed(); });
     add_tone_actions(actions_, app_);
     add_play_actions(actions_, app_);
     add_look_actions(actions_, app_, looks_);
@@ -329,8 +334,14 @@ void Window::add_panels() {
     QDockWidget* looks =
         add_panel("looks", translated("Panel", "Looks"), look_list_, Qt::RightDockWidgetArea);
     tabifyDockWidget(scene, looks);
-    QDockWidget* exports = add_panel("export", translated("Panel", "Export"),
-                                     new ExportPanel(app_, actions_, this), Qt::RightDockWidgetArea);
+    auto* export_panel = new ExportPanel(app_, actions_, this);
+    export_panel->can_begin = [this] {
+        const Result<void> saved = exporter_.check_saved();
+        if (!saved.ok()) say_refused(saved.error(), true, "save");
+        return saved.ok();
+    };
+    QDockWidget* exports =
+        add_panel("export", translated("Panel", "Export"), export_panel, Qt::RightDockWidgetArea);
     tabifyDockWidget(looks, exports);
     auto* air_panel = new AirPanel(app_, document_, actions_, this);
     air_panel->complain = [this](const Error& error) { say_refused(error, true); };

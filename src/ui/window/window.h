@@ -69,8 +69,8 @@ private:
     void begin_where_there_is_light();
     void say_done(const Action& action, bool made_step);
     void say_hand_taken();
-    // Over the picture, too, where it was an edit.
-    void say_refused(const Error& error, bool is_of_edit);
+    // Over the picture, too, where it was an edit; helps: an action that lets it be done.
+    void say_refused(const Error& error, bool is_of_edit, const QString& helps = {});
     void show_title();
     void name_steps();
     void name_cameras();

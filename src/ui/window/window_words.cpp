@@ -50,11 +50,13 @@ void Window::name_steps() {
          app_.undo_stack().redoText());
 }
 
-void Window::say_refused(const Error& error, bool is_of_edit) {
-    say(QString::fromStdString(error.text()), 8000);
+void Window::say_refused(const Error& error, bool is_of_edit, const QString& helps) {
+    // Names of actions are words of scripts.
+    const bool names_action = actions_.item(QString::fromStdString(error.where)) != nullptr;
+    say(QString::fromStdString(names_action ? error.what : error.text()), 8000);
     if (!is_of_edit || !notice_) return;
     const QString what = said(error.what);
-    if (!notice_->say_refused(what)) toast_->say(what);
+    if (!notice_->say_refused(what, helps)) toast_->say(what);
 }
 
 // What else would show nothing.

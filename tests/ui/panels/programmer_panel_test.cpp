@@ -465,5 +465,37 @@ TEST(GelBook, conversions_are_what_their_mired_say) {
     }
 }
 
+TEST(ProgrammerPanel, all_is_given_back_whenever_a_hand_holds_anything_whatever_is_selected) {
+    Heads heads;
+    add_programmer_actions(heads.actions, heads.app);
+    const auto button = [&](const QString& words) {
+        for (QPushButton* const one : heads.panel.findChildren<QPushButton*>())
+            if (one->text() == words) return one;
+        return static_cast<QPushButton*>(nullptr);
+    };
+    QPushButton* const some = button("Give back (R)");
+    QPushButton* const all = button("Give all back (Shift+R)");
+    ASSERT_TRUE(some && all);
+    EXPECT_FALSE(some->isEnabled());
+    EXPECT_FALSE(all->isEnabled());
+    heads.app.select({0, 1});
+    ASSERT_TRUE(heads.actions.run("intensity 0.5").ok());
+    EXPECT_TRUE(some->isEnabled());
+    EXPECT_TRUE(all->isEnabled());
+    heads.app.select({2});
+    EXPECT_FALSE(some->isEnabled()) << "another's hand";
+    EXPECT_TRUE(all->isEnabled());
+    heads.app.select({0});
+    some->click();
+    EXPECT_EQ(heads.app.look().fixtures.count(0), 0u);
+    EXPECT_EQ(heads.app.look().fixtures.count(1), 1u);
+    heads.app.select({});
+    EXPECT_FALSE(some->isEnabled());
+    ASSERT_TRUE(all->isEnabled());
+    all->click();
+    EXPECT_TRUE(heads.app.look().is_empty());
+    EXPECT_FALSE(all->isEnabled());
+}
+
 } // namespace
 } // namespace ghost::ui

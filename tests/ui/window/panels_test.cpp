@@ -73,7 +73,7 @@ TEST(FirstScreen, what_needs_a_show_cannot_be_pressed_before_there_is_one) {
     in.choose("panel-export on");
     EXPECT_TRUE(in.button("export", "Bake")->isEnabled());
     in.choose("panel-looks on");
-    EXPECT_TRUE(in.button("looks", "Store programmer")->isEnabled());
+    EXPECT_TRUE(in.button("looks", "Store what is seen")->isEnabled());
 }
 
 TEST(Tabs, every_name_is_whole_at_the_usual_widths) {

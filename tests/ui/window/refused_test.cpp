@@ -6,6 +6,7 @@
 #include "ui/window/window.h"
 
 #include <QLabel>
+#include <QPushButton>
 #include <QStatusBar>
 #include <QToolBar>
 
@@ -57,6 +58,39 @@ TEST(Refused, an_edit_that_is_refused_is_said_over_the_picture_until_something_i
     in.choose("camera nowhere");
     EXPECT_EQ(in.notice(), "");
     EXPECT_TRUE(in.window.statusBar()->currentMessage().contains("nowhere"));
+}
+
+QPushButton* button_called(const Window& window, const QString& words) {
+    for (QPushButton* const one : window.findChildren<QPushButton*>())
+        if (one->text() == words) return one;
+    return nullptr;
+}
+
+TEST(Refused, what_hands_set_is_stored_only_where_they_set_something_and_the_words_are_those_of_the_window) {
+    Refused in;
+    QPushButton* const store = button_called(in.window, "Store programmer");
+    ASSERT_TRUE(store);
+    EXPECT_FALSE(store->isEnabled());
+    EXPECT_TRUE(store->toolTip().contains("Nothing is set by hand")) << store->toolTip().toStdString();
+    in.choose("look-store Verse");
+    EXPECT_EQ(in.notice(),
+              "Not done: nothing is set by hand; 'Store what is seen' in Looks stores what a desk "
+              "or recording does");
+    EXPECT_FALSE(in.window.statusBar()->currentMessage().contains("look-"))
+        << in.window.statusBar()->currentMessage().toStdString();
+    in.choose("select \"Lamp 1\"");
+    in.choose("intensity 1");
+    EXPECT_TRUE(store->isEnabled());
+    EXPECT_EQ(store->toolTip(), "As a new look");
+    in.choose("look-store Verse");
+    QPushButton* const update = button_called(in.window, "Update");
+    EXPECT_TRUE(update->isEnabled());
+    in.choose("release-all");
+    EXPECT_FALSE(store->isEnabled());
+    EXPECT_FALSE(update->isEnabled());
+    // Smoke by hand is part of a look, too.
+    in.choose("smoke 2");
+    EXPECT_TRUE(store->isEnabled());
 }
 
 TEST(Refused, what_waits_for_an_answer_is_not_pushed_away) {

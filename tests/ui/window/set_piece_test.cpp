@@ -5,7 +5,10 @@
 #include "support/test_picture.h"
 
 #include "show_file/show_toml.h"
+#include "ui/actions/can_do.h"
 #include "ui/actions/object_edit.h"
+#include "ui/panel_parts/stage_tree.h"
+#include "ui/window/window.h"
 
 namespace ghost::ui {
 namespace {
@@ -117,6 +120,38 @@ TEST(SetPiece, a_double_click_chooses_what_the_engine_meets_there) {
     watched.bench.link.on_news();
     settle();
     EXPECT_EQ(watched.bench.app.marked(), 1u);
+}
+
+TEST(SetPiece, escape_lets_go_of_it_first_and_of_the_fixtures_then) {
+    Link link;
+    Window window(link, {.remembers = false, .width = 900, .height = 600});
+    window.show();
+    link.opened.put(four_lamps());
+    link.rig.put(four_lit());
+    link.on_news();
+    settle();
+    window.app().select({0, 1});
+    window.actions().choose("choose-object Wall");
+    ASSERT_EQ(window.app().marked(), std::optional<std::size_t>(1));
+    auto* const tree = window.findChild<StageTree*>();
+    EXPECT_EQ(tree->object(), std::optional<std::size_t>(1));
+    window.actions().item("select-none")->trigger();
+    EXPECT_EQ(window.app().marked(), std::nullopt);
+    EXPECT_EQ(tree->object(), std::nullopt);
+    EXPECT_TRUE(tree->findChild<QTreeWidget*>()->selectedItems().isEmpty());
+    EXPECT_EQ(window.app().selection().size(), 2u);
+    window.actions().item("select-none")->trigger();
+    EXPECT_TRUE(window.app().selection().empty());
+    // A script says once what it wants; the menu has it for an object alone, too.
+    window.app().select({0});
+    window.app().mark(0);
+    ASSERT_TRUE(window.actions().run("select-none").ok());
+    EXPECT_EQ(window.app().marked(), std::nullopt);
+    EXPECT_TRUE(window.app().selection().empty());
+    const ShowDocument document(window.app());
+    EXPECT_FALSE(can_do("select-none", window.app(), document));
+    window.app().mark(0);
+    EXPECT_TRUE(can_do("select-none", window.app(), document));
 }
 
 } // namespace

@@ -17,8 +17,9 @@ class NoticeBar : public QToolBar {
     Q_OBJECT
 public:
     NoticeBar(Actions& actions, ShowDocument& document, AppModel& app, QWidget* parent);
-    // What was refused, until something is done or it is closed. False: something else waits for an answer.
-    bool say_refused(const QString& what);
+    // What was refused, until something is done or it is closed, with a button of the action that helps.
+    // False: something else waits for an answer.
+    bool say_refused(const QString& what, const QString& helps = {});
     void forget_refused();
     QString words() const { return isVisible() ? words_ : QString(); }
 
