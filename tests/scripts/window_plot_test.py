@@ -63,7 +63,7 @@ class FirstMinutes(unittest.TestCase):
             window.shoot("broken.png")
             window.do(f'open "{without_camera}"', "wait opened")
             state = window.state()
-            self.assertRegex(state["notice"], r"^Opened, but: .*none\.gdtf")
+            self.assertRegex(state["notice"], r"^Opened, but: .*show\.toml:1: \[show\] stage is missing")
             self.assertEqual(state["camera"]["name"], "house")
             self.assertGreaterEqual(state["messages"], 3, "no camera, an unknown key, no fixture file")
         finally:

@@ -14,6 +14,8 @@
 namespace ghost::ui {
 namespace {
 
+constexpr int kNoticeLetters = 120; // beyond, paths in it lose their beginnings
+
 // As wide as there is room, and no higher than its words need there: Qt wants one that wraps to be half as
 // high as it is wide, and the bar would push the panels down.
 class NoticeWords : public QLabel {
@@ -147,8 +149,8 @@ void NoticeBar::say_not_opened() {
         answers.push_back({translated("Notice", "Open the file"), "open-outside \"" + file + "\""});
     answers.push_back({translated("Notice", "Close"), ""});
     const QString stays = app_.show() ? " " + translated("Notice", "What was open stays open.") : QString();
-    ask(translated("Notice", "Not opened: %1.").arg(shortened(said(error.text()), 120)) + stays, answers,
-        Kind::fault);
+    ask(translated("Notice", "Not opened: %1.").arg(shortened(said(error.text()), kNoticeLetters)) + stays,
+        answers, Kind::fault);
     says_not_opened_ = true;
 }
 
@@ -158,7 +160,7 @@ void NoticeBar::look_at_messages() {
     for (const Message& message : app_.messages()) {
         if (message.severity != Severity::error) continue;
         if (errors.insert(message.what).second && !errors_.contains(message.what))
-            anew << said(message.where + ": " + message.what);
+            anew << shortened(said(message.where + ": " + message.what), kNoticeLetters);
     }
     errors_ = std::move(errors);
     const bool was_opened = std::exchange(awaits_messages_, false);
