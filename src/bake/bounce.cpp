@@ -4,6 +4,8 @@
 #include "bake/private/bounce_nodes.h"
 
 #include "passes/passes_file.h"
+#include "rays/sampling.h"
+#include "reference/reference_beam.h"
 #include "shared/octahedral.h"
 
 #include <algorithm>
@@ -58,6 +60,12 @@ Result<scene::Bounce> made(const Tracer& tracer, const BounceOptions& options) {
     if (options.progress) options.progress(kNodesMade);
     if (!make_bounce_links(tracer, options, nodes, bounce)) return stopped;
     if (options.progress) options.progress(1);
+    if (options.points)
+        for (std::uint32_t s = 0; s < nodes.points_of_surfel.size(); ++s)
+            for (const std::uint32_t k : nodes.points_of_surfel[s]) {
+                const SurfacePoint& point = nodes.points[k];
+                options.points->push_back({s, point.instance, point.area_m2, point.albedo});
+            }
     return bounce;
 }
 
@@ -125,21 +133,23 @@ std::uint32_t SurfelIndex::surfel_at(const glm::vec3& place_m, const glm::vec3& 
 }
 
 scene::LampSight lamp_sight(const Tracer& tracer, const scene::Bounce& bounce, const SurfelIndex& index,
-                            const glm::vec3& position_m) {
-    constexpr int kSize = scene::kLampSightSize;
+                            const glm::vec3& position_m, int size) {
     constexpr float kFar_m = 1e4f;
     scene::LampSight sight;
     sight.position_m = position_m;
-    sight.surfel.assign(static_cast<std::size_t>(kSize) * kSize, kNoNode);
+    sight.size = size;
+    sight.surfel.assign(static_cast<std::size_t>(size) * static_cast<std::size_t>(size), kNoNode);
     sight.distance_m.assign(sight.surfel.size(), 0);
-    tbb::parallel_for(0, kSize, [&](int y) {
+    sight.albedo.assign(sight.surfel.size(), 0);
+    const auto texels = static_cast<float>(size);
+    tbb::parallel_for(0, size, [&](int y) {
         const DenormalsOff mode;
-        for (int x = 0; x < kSize; ++x) {
+        for (int x = 0; x < size; ++x) {
             const glm::vec3 way = shared::direction_from_octahedral(
-                {(static_cast<float>(x) + 0.5f) / kSize, (static_cast<float>(y) + 0.5f) / kSize});
+                {(static_cast<float>(x) + 0.5f) / texels, (static_cast<float>(y) + 0.5f) / texels});
             const Tracer::Meeting meeting = tracer.meet(position_m, way, kFar_m);
             if (meeting.instance < 0) continue;
-            const auto texel = static_cast<std::size_t>(y) * kSize + static_cast<std::size_t>(x);
+            const auto texel = static_cast<std::size_t>(y * size + x);
             const glm::vec3 place_m = position_m + way * meeting.distance_m;
             sight.distance_m[texel] = scene::to_half(std::max(meeting.distance_m, 1e-3f));
             // Not of the other side of a wall that cuts its sub-voxel.
@@ -148,6 +158,12 @@ scene::LampSight lamp_sight(const Tracer& tracer, const scene::Bounce& bounce, c
             const bool is_its = sub >= 0 && sees(tracer, before_m, bounce.grid.sub_centre_m(sub));
             const std::uint32_t cell = is_its ? bounce.cell_of[static_cast<std::size_t>(sub)] : kNoNode;
             sight.surfel[texel] = index.surfel_at(place_m, meeting.normal, cell);
+            const Surface surface = tracer.first_hit(
+                position_m, way, to_unit(hash_u32(static_cast<std::uint32_t>(texel), 3)), Sees::no_bodies);
+            if (surface.instance < 0) continue;
+            const double cosine = -glm::dot(glm::dvec3(surface.facet_normal), glm::dvec3(way));
+            sight.albedo[texel] =
+                scene::packed_albedo(glm::vec3(reference_brdf_albedo(surface.brdf, cosine)));
         }
     });
     return sight;

@@ -17,6 +17,14 @@
 
 namespace ghost::bake {
 
+// A part of a surface that a surfel stands for.
+struct BouncePoint {
+    std::uint32_t surfel = 0;
+    std::uint32_t instance = 0; // of the stage
+    float area_m2 = 0;
+    glm::vec3 albedo{0};
+};
+
 struct BounceOptions {
     scene::BounceBox box;
     std::vector<glm::vec3> seeds_m; // places in the air: lamps, cameras
@@ -26,9 +34,10 @@ struct BounceOptions {
     int rays_of_surfel = 256;
     int rays_of_cell = 512;
     int rays_of_block = 2048;
-    int threads = 0;                     // 0: one per core
-    scene::BounceParts* parts = nullptr; // what a stopped one left is taken up, and kept for the next
-    std::function<bool()> stop;          // asked from any thread
+    int threads = 0;                            // 0: one per core
+    std::vector<BouncePoint>* points = nullptr; // filled for measurements
+    scene::BounceParts* parts = nullptr;        // what a stopped one left is taken up, and kept for the next
+    std::function<bool()> stop;                 // asked from any thread
     std::function<void(double fraction)> progress; // never two calls at once
 };
 
@@ -48,8 +57,8 @@ private:
     std::vector<std::uint32_t> list_;
 };
 
-// What light from there lands on.
+// What light from there lands on; size: texels a side.
 scene::LampSight lamp_sight(const Tracer& tracer, const scene::Bounce& bounce, const SurfelIndex& index,
-                            const glm::vec3& position_m);
+                            const glm::vec3& position_m, int size = scene::kLampSightSize);
 
 } // namespace ghost::bake

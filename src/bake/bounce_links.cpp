@@ -60,6 +60,8 @@ struct Sums {
     std::vector<Chord> chords; // of one ray
     std::vector<Sum> all;
     std::vector<std::uint32_t> where; // of each node, in all
+    // By bin, or of a surfel: rays, and what of their light comes from far away.
+    std::array<float, scene::kBounceBins> rays, far;
 };
 
 class Links {
@@ -74,6 +76,7 @@ public:
         const scene::BounceLevel& level = is_coarse ? bounce_.coarse : bounce_.fine;
         const std::size_t count = level.cells.size() + level.surfels.size();
         std::vector<std::vector<FoundLink>> rows(count);
+        if (!is_coarse) bounce_.far_share.assign(level.slots(), 0);
         // As many nodes as have work for some tenths of a second.
         const std::size_t of_part = is_coarse ? 8 * kBand : 64 * kBand;
         std::vector<std::atomic<std::size_t>> left((count + of_part - 1) / of_part); // nodes of each part
@@ -81,9 +84,16 @@ public:
         const auto rows_of = [&](std::size_t part) {
             return std::span(rows).subspan(part * of_part, std::min(of_part, count - part * of_part));
         };
+        const auto shares_of = [&](std::size_t part) {
+            if (is_coarse) return std::span<float>();
+            const std::size_t first = level.first_slot(part * of_part),
+                              end = level.first_slot(part * of_part + rows_of(part).size());
+            return std::span(bounce_.far_share).subspan(first, end - first);
+        };
         for (std::size_t part = 0; part < left.size(); ++part) {
             left[part] = rows_of(part).size();
-            if (!options_.parts || !options_.parts->take(level, is_coarse, part * of_part, rows_of(part)))
+            if (!options_.parts ||
+                !options_.parts->take(level, is_coarse, part * of_part, rows_of(part), shares_of(part)))
                 continue;
             done += left[part].exchange(0);
         }
@@ -96,7 +106,7 @@ public:
             const DenormalsOff mode;
             for (std::size_t node = first; node < end; ++node) row(is_coarse, node, sums.local(), rows[node]);
             if ((left[part] -= end - first) == 0 && options_.parts)
-                options_.parts->keep(is_coarse, part * of_part, rows_of(part));
+                options_.parts->keep(is_coarse, part * of_part, rows_of(part), shares_of(part));
             done += end - first;
             if (!options_.progress) return;
             if (const std::unique_lock lock(saying, std::try_to_lock); lock)
@@ -154,6 +164,8 @@ private:
                                    : options_.rays_of_surfel;
         BounceRandom random(2 * node + (is_coarse ? 1 : 0) + 5);
         sums.all.clear();
+        sums.rays.fill(0);
+        sums.far.fill(0);
         sums.where.resize(bounce_.fine.cells.size() + bounce_.fine.surfels.size(), kNoNode);
         const float unit = (is_cell ? 4 * kPi : kPi) / static_cast<float>(rays), turn = random(),
                     shift = random();
@@ -164,15 +176,19 @@ private:
             if (is_cell) {
                 std::uint32_t cell = kNoNode;
                 const glm::vec3 place_m = place_in_cell(members, pick, random, cell);
-                look(is_coarse, place_m, even_direction(u, v), cell, unit, sums);
+                const glm::vec3 way = even_direction(u, v);
+                look(is_coarse, place_m, way, cell, unit, scene::bounce_bin(-way), sums);
                 continue;
             }
             const std::size_t at = std::min(
                 static_cast<std::size_t>(pick * static_cast<float>(members.size())), members.size() - 1);
             const SurfacePoint& point = nodes_.points[members[at]];
             look(is_coarse, point.place_m + point.normal * 1e-3f, cosine_about(point.normal, u, v),
-                 point.cell, unit, sums);
+                 point.cell, unit, 0, sums);
         }
+        for (std::size_t bin = 0; !is_coarse && bin < (is_cell ? scene::kBounceBins : 1); ++bin)
+            if (sums.rays[bin] > 0)
+                bounce_.far_share[level.first_slot(node) + bin] = sums.far[bin] / sums.rays[bin];
         for (const Sums::Sum& sum : sums.all) {
             sums.where[sum.node] = kNoNode;
             if (!(sum.weight > 0)) continue;
@@ -218,14 +234,17 @@ private:
         return sub < 0 || sees(tracer_, at_m, bounce_.grid.sub_centre_m(sub)) ? last : before;
     }
 
-    // One ray of a receiver in a cell; unit: steradians it stands for.
+    // One ray of a receiver in a cell; unit: steradians it stands for; bin: of the light along it, 0 of a
+    // surfel.
     void look(bool is_coarse, const glm::vec3& from_m, const glm::vec3& way, std::uint32_t own_cell,
-              float unit, Sums& sums) const {
+              float unit, std::size_t bin, Sums& sums) const {
         const float reach_m = is_coarse ? 1e4f : block_m_ * kNearTo;
         const Tracer::Meeting meeting = tracer_.meet(from_m, way, reach_m);
         const auto fraction_at = [&](float distance_m) {
             return is_coarse ? 1 - near_fraction(distance_m) : near_fraction(distance_m);
         };
+        sums.rays[bin] += 1;
+        sums.far[bin] += meeting.instance >= 0 ? 1 - near_fraction(meeting.distance_m) : 1;
         std::vector<Sums::Chord>& chords = sums.chords;
         chords.clear();
         const std::uint32_t last = scene::walk_cells(bounce_, from_m, way, meeting.distance_m,

@@ -222,6 +222,7 @@ std::vector<SurfacePoint> points_on(const scene::Stage& stage, float spacing_m) 
             if (!(length > 0) || !std::isfinite(length)) continue;
             point.normal /= length;
             point.area_m2 = static_cast<float>(part.area / static_cast<double>(count));
+            point.instance = static_cast<std::uint32_t>(part.instance);
             points.push_back(point);
             point.normal = -point.normal;
             points.push_back(point);

@@ -7,6 +7,7 @@
 #include "bounce/bounce_solver.h"
 #include "live/session/show_moment.h"
 #include "reference/light_walk.h"
+#include "shared/develop.h"
 
 #include <algorithm>
 #include <chrono>
@@ -22,6 +23,7 @@ constexpr int kSteps_hz = 25;
 constexpr std::int64_t kParticles = 500'000;
 constexpr int kSolves = 10; // the best counts
 constexpr int kPowerOrders = 6;
+constexpr std::size_t kObjectOrders = 4;
 constexpr std::size_t kBrightest = 10; // objects
 
 double now_s() {
@@ -34,6 +36,7 @@ struct Room {
     scene::Bounce bounce;
     std::vector<scene::LampSight> sights;
     std::vector<const scene::LampSight*> of_lights;
+    std::vector<bake::BouncePoint> points;
     double links_s = 0, sights_s = 0;
 };
 
@@ -44,6 +47,7 @@ Result<Room> room_of(const ShowMoment& moment, const bake::Tracer& tracer) {
     bake::BounceOptions options;
     options.box = room.box;
     options.stop = interrupted;
+    options.points = &room.points;
     std::map<std::array<float, 3>, std::size_t> places;
     std::vector<std::size_t> place_of;
     for (const shared::Light& light : lights) {
@@ -86,11 +90,41 @@ std::string moment_name(double at_s) {
     return std::to_string(static_cast<int>(at_s)) + " s";
 }
 
+// What leaves the objects that reflect most, orders 1 to kObjectOrders together.
+void object_rows(const ShowMoment& moment, const Room& room, const scene::BounceSolver& solver,
+                 const bake::Walk& walked, const std::string& name, const BenchSink& sink) {
+    const std::vector<scene::Instance>& instances = moment.stage().instances;
+    std::map<std::string, std::pair<double, double>> by_object; // particles, solved
+    for (std::size_t k = 0; k < instances.size(); ++k)
+        for (std::size_t order = 1; order <= kObjectOrders; ++order)
+            by_object[instances[k].name].first += walked.reflected_by_instance[k][order];
+    for (const bake::BouncePoint& point : room.points) {
+        const std::size_t slot = room.bounce.fine.surfel_slot(point.surfel);
+        glm::vec3 lux(0);
+        for (std::size_t order = 0; order < kObjectOrders; ++order)
+            lux += glm::vec3(solver.kept_orders()[order][slot]);
+        by_object[instances[point.instance].name].second +=
+            static_cast<double>(shared::luminance_of(lux * point.albedo) * point.area_m2);
+    }
+    std::vector<std::pair<std::string, std::pair<double, double>>> objects(by_object.begin(),
+                                                                           by_object.end());
+    std::stable_sort(objects.begin(), objects.end(),
+                     [](const auto& a, const auto& b) { return a.second.first > b.second.first; });
+    for (std::size_t k = 0; k < std::min(objects.size(), kBrightest); ++k) {
+        const auto& [object, power] = objects[k];
+        sink({"bounce",
+              name + ", of " + object,
+              {{"share", power.first / walked.sent_lm}, {"reflected", power.second / power.first}},
+              "orders 1 to 4; share of what is sent, by particles; solved / particles"});
+    }
+}
+
 Result<void> power_rows(ShowMoment& moment, const Room& room, const bake::Tracer& tracer, Report& report,
                         const BenchSink& sink) {
     scene::BounceSolver solver(room.bounce);
     const shared::Haze haze = atmosphere_of(moment.show()).medium();
     solver.set_haze(haze);
+    solver.keep_orders(true);
     for (const double at_s : kMoments_s) {
         if (interrupted()) return Error{"interrupted; the rows above are whole", ""};
         moment.step_to(at_s, kSteps_hz, report);
@@ -99,17 +133,17 @@ Result<void> power_rows(ShowMoment& moment, const Room& room, const bake::Tracer
         walk.particles = kParticles;
         walk.air_low_m = room.box.low_m;
         walk.air_high_m = room.box.high_m;
+        if (solver.air().forward_fraction > 0) walk.straight_cosine = scene::kStraightCosine;
         walk.stop = interrupted;
         TRY(const bake::Walk walked, bake::walk_light(tracer, lights, moment.gobos().images, haze, walk));
         const scene::BounceSolution& solved =
             solver.solve(lights, room.of_lights, moment.gobos().images, kPowerOrders);
-        const double kept = 1 - static_cast<double>(solver.air().forward_fraction);
         const bake::OrderPower& landed = walked.orders[0];
         sink({"bounce",
               moment_name(at_s) + ", sent",
               {{"lm", walked.sent_lm},
                {"solved", solved.sent_lm / walked.sent_lm},
-               {"goes_on", solved.orders[0].emitted / (landed.reflected + landed.in_air * kept)}},
+               {"goes_on", solved.orders[0].emitted / (landed.reflected + landed.in_air)}},
               "of all lamps; what goes on after it has landed: solved / particles"});
         double particles = 0, solution = 0;
         for (std::size_t k = 1; k <= kPowerOrders; ++k) {
@@ -124,10 +158,10 @@ Result<void> power_rows(ShowMoment& moment, const Room& room, const bake::Tracer
             sink({"bounce",
                   moment_name(at_s) + ", order " + std::to_string(k),
                   {{"surfaces_share", truth.on_surfaces / walked.sent_lm},
-                   {"air_share", truth.in_air * kept / walked.sent_lm},
+                   {"air_share", truth.in_air / walked.sent_lm},
                    {"surfaces", ours.on_surfaces / truth.on_surfaces},
                    {"reflected", ours.reflected / truth.reflected},
-                   {"air", ours.in_air / (truth.in_air * kept)},
+                   {"air", ours.in_air / truth.in_air},
                    {"met_share", met},
                    {"met_solved", (ours.on_surfaces + ours.in_air) / solved.orders[k - 1].emitted}},
                   "shares of what is sent, by particles; solved / particles"});
@@ -136,6 +170,7 @@ Result<void> power_rows(ShowMoment& moment, const Room& room, const bake::Tracer
               moment_name(at_s) + ", all orders",
               {{"surfaces", solution / particles}},
               "solved / particles"});
+        object_rows(moment, room, solver, walked, moment_name(at_s), sink);
     }
     return {};
 }

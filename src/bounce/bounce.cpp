@@ -78,4 +78,18 @@ std::uint64_t Bounce::bytes() const {
     return sum + (cell_parents.size() + surfel_parents.size()) * sizeof(BounceParents);
 }
 
+std::uint32_t packed_albedo(const glm::vec3& albedo) {
+    std::uint32_t packed = 0;
+    for (int c = 0; c < 3; ++c)
+        packed |=
+            static_cast<std::uint32_t>(std::lround(255.0f * std::sqrt(glm::clamp(albedo[c], 0.0f, 1.0f))))
+            << (8 * c);
+    return packed;
+}
+
+glm::vec3 unpacked_albedo(std::uint32_t packed) {
+    const glm::vec3 root(packed & 255u, packed >> 8 & 255u, packed >> 16 & 255u);
+    return root * root / (255.0f * 255.0f);
+}
+
 } // namespace ghost::scene

@@ -18,6 +18,9 @@ namespace ghost::scene {
 inline constexpr std::size_t kBounceBins = 14;
 const std::array<glm::vec3, kBounceBins>& bounce_directions();
 std::size_t bounce_bin(const glm::vec3& way);
+constexpr std::size_t bounce_reversed(std::size_t bin) { // of light that goes the other way
+    return bin < 6 ? bin ^ 1u : 6 + ((bin - 6) ^ 7u);
+}
 float bounce_steradians(std::size_t bin);
 // Which of six sides a surface faces: +x, -x, +y ..
 std::size_t bounce_side(const glm::vec3& normal);
@@ -68,6 +71,10 @@ struct BounceLevel {
 
     std::size_t slots() const { return cells.size() * kBounceBins + surfels.size(); }
     std::size_t surfel_slot(std::size_t surfel) const { return cells.size() * kBounceBins + surfel; }
+    // Of a node: cells come first, then surfels.
+    std::size_t first_slot(std::size_t node) const {
+        return node < cells.size() ? node * kBounceBins : surfel_slot(node - cells.size());
+    }
 };
 
 // What a slot receives from another one, without the haze between them.
@@ -89,11 +96,18 @@ struct BounceParents {
 };
 inline constexpr std::uint32_t kNoNode = 0xffffffffu;
 
+inline bool is_share(float share) {
+    return share >= 0 && share <= 1;
+}
+
 struct Bounce {
     BounceGrid grid;
     std::vector<std::uint32_t> cell_of; // of each sub-voxel; kNoNode: in a solid, or out of the room
     BounceLevel fine, coarse;
     BounceRows near, far; // of the fine level, of the coarse one
+    // Of what comes to a fine slot where all that sends is equally bright, how much comes along coarse links:
+    // nothing in a niche, nearly all in the middle of a hall.
+    std::vector<float> far_share;
     std::vector<BounceParents> cell_parents, surfel_parents;
 
     bool empty() const { return fine.cells.empty() && fine.surfels.empty(); }
@@ -101,12 +115,18 @@ struct Bounce {
 };
 
 // Where the light of a lamp lands, in all directions (shared/octahedral.h).
-inline constexpr int kLampSightSize = 128;
+inline constexpr int kLampSightSize = 256; // of lamps that stay where they are
+inline constexpr int kSmallLampSightSize = 128;
 struct LampSight {
     glm::vec3 position_m{0};
+    int size = 0;                          // texels a side
     std::vector<std::uint32_t> surfel;     // kNoNode: none
     std::vector<std::uint16_t> distance_m; // half floats; 0: nothing is hit
+    std::vector<std::uint32_t> albedo;     // of the place for light from there (packed_albedo)
 };
+// Roots, 8 bits each: stages are dark.
+std::uint32_t packed_albedo(const glm::vec3& albedo);
+glm::vec3 unpacked_albedo(std::uint32_t packed);
 
 // Cells along a ray up to end_m from its begin: air(cell, from_m, to_m). A sub-voxel in no cell counts to the
 // cell before it. Returns the last cell, or kNoNode.

@@ -10,10 +10,9 @@
 namespace ghost::scene {
 namespace {
 
-constexpr float kForwardHaze = 0.1f;       // mean cosine from which on haze has a forward fraction
-constexpr float kConeCosine = 0.98768834f; // nine degrees
-constexpr int kSphere = 6000;              // directions looked at
-constexpr int kEvery = 8;                  // of them
+constexpr float kForwardHaze = 0.1f; // mean cosine from which on haze has a forward fraction
+constexpr int kSphere = 6000;        // directions looked at
+constexpr int kEvery = 8;            // of them
 constexpr float kGolden = 0.61803399f, kFull = 6.28318531f;
 
 std::vector<glm::vec3> directions() {
@@ -33,10 +32,11 @@ float forward_fraction(const shared::Haze& haze) {
     constexpr int kSteps = 2000;
     double sum = 0;
     for (int k = 0; k < kSteps; ++k) {
-        const float cosine = kConeCosine + (1 - kConeCosine) * (static_cast<float>(k) + 0.5f) / kSteps;
+        const float cosine =
+            kStraightCosine + (1 - kStraightCosine) * (static_cast<float>(k) + 0.5f) / kSteps;
         sum += static_cast<double>(shared::haze_phase(haze, cosine, 1));
     }
-    return static_cast<float>(sum / kSteps) * kFull * (1 - kConeCosine);
+    return static_cast<float>(sum / kSteps) * kFull * (1 - kStraightCosine);
 }
 
 } // namespace
@@ -47,7 +47,7 @@ BounceAir bounce_air(const shared::Haze& haze) {
     const float kept = 1 - air.forward_fraction;
     air.scattering_per_m = haze.scattering_per_m * kept;
     air.extinction_per_m = haze.extinction_per_m - haze.scattering_per_m * air.forward_fraction;
-    const float cut = air.forward_fraction > 0 ? kConeCosine : 2.0f;
+    const float cut = air.forward_fraction > 0 ? kStraightCosine : 2.0f;
     const auto phase = [&](float cosine) {
         return cosine > cut ? 0.0f : shared::haze_phase(haze, cosine, 1) / kept;
     };

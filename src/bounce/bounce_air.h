@@ -12,6 +12,8 @@
 
 namespace ghost::scene {
 
+inline constexpr float kStraightCosine = 0.98768834f; // nine degrees
+
 struct BounceAir {
     float extinction_per_m = 0;
     float scattering_per_m = 0;

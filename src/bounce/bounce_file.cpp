@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr char kMagic[] = "ghostlight bounce 2\n";
+constexpr char kMagic[] = "ghostlight bounce 3\n";
 constexpr std::size_t kVersionAt = sizeof kMagic - 3; // its digit
 constexpr std::uintmax_t kMostBytes = std::uintmax_t{1} << 30;
 constexpr std::size_t kKeyDigits = 32;
@@ -76,6 +76,7 @@ void all(File& file, Bounces& bounce) {
         file.list(rows->start);
         file.list(rows->links);
     }
+    file.list(bounce.far_share);
     file.list(bounce.cell_parents);
     file.list(bounce.surfel_parents);
 }
@@ -128,6 +129,8 @@ bool is_whole(const Bounce& bounce) {
            std::all_of(bounce.coarse.surfels.begin(), bounce.coarse.surfels.end(),
                        [](const BounceSurfel& surfel) { return surfel.area_m2 > 0; }) &&
            fits(bounce.near, bounce.fine.slots()) && fits(bounce.far, bounce.coarse.slots()) &&
+           bounce.far_share.size() == bounce.fine.slots() &&
+           std::all_of(bounce.far_share.begin(), bounce.far_share.end(), is_share) &&
            fits(bounce.cell_parents, cells, blocks) &&
            fits(bounce.surfel_parents, bounce.fine.surfels.size(), bounce.coarse.surfels.size());
 }

@@ -42,6 +42,7 @@ BounceEntries bounce_entries(const Bounce& bounce, const shared::Light& lamp, co
     light.intensity_cd = glm::vec3(1);
     std::vector<std::uint32_t> air_at(bounce.fine.cells.size(), kNoNode);
     std::vector<std::uint32_t> surface_at(bounce.fine.surfels.size(), kNoNode);
+    const auto size = static_cast<float>(sight.size);
     const int rings = is_shaped(light) ? kShapedRings : kPlainRings;
     const float reach = light.cut_radius * light.tan_field;
     const float area = 0.5f * kFullTurn * reach * reach / static_cast<float>(rings * rings * kLooks * kLooks);
@@ -58,9 +59,9 @@ BounceEntries bounce_entries(const Bounce& bounce, const shared::Light& lamp, co
         const float slant = glm::length(to_gate);
         const glm::vec3 way = to_gate / slant;
         const glm::vec2 place = shared::octahedral_from(way);
-        const auto texel = static_cast<std::size_t>(
-            std::min(static_cast<int>(place.y * kLampSightSize), kLampSightSize - 1) * kLampSightSize +
-            std::min(static_cast<int>(place.x * kLampSightSize), kLampSightSize - 1));
+        const auto texel =
+            static_cast<std::size_t>(std::min(static_cast<int>(place.y * size), sight.size - 1) * sight.size +
+                                     std::min(static_cast<int>(place.x * size), sight.size - 1));
         const float met_m = glm::unpackHalf1x16(sight.distance_m[texel]);
         const float from_lens_m = met_m > 0 ? met_m : kTypical_m;
         const float z_m = light.lens_m + std::max(from_lens_m / slant, 1e-2f);
@@ -96,7 +97,8 @@ BounceEntries bounce_entries(const Bounce& bounce, const shared::Light& lamp, co
         if (!lands) continue;
         BounceEntries::OnSurface& entry = entry_of(surface_at, entries.surfaces, sight.surfel[texel]);
         entry.surfel = sight.surfel[texel];
-        entry.lumens += lumens * std::exp(-extinction_per_m * met_m);
+        entry.reflected +=
+            lumens * unpacked_albedo(sight.albedo[texel]) * std::exp(-extinction_per_m * met_m);
     }
     for (BounceEntries::InAir& entry : entries.air) {
         const float length = glm::length(entry.way);

@@ -20,7 +20,7 @@ struct BounceEntries {
     };
     struct OnSurface {
         std::uint32_t surfel;
-        glm::vec3 lumens{};
+        glm::vec3 reflected{}; // lumens
     };
     std::vector<InAir> air;
     std::vector<OnSurface> surfaces;

@@ -5,6 +5,7 @@
 #include "disk/files.h"
 #include "disk/own_folder.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <utility>
@@ -12,7 +13,7 @@
 namespace ghost::scene {
 namespace {
 
-constexpr char kPartMagic[] = "ghostlight bounce part 1\n";
+constexpr char kPartMagic[] = "ghostlight bounce part 2\n";
 constexpr std::uintmax_t kMostPartsBytes = std::uintmax_t{256} << 20; // of one set of links
 constexpr const char* kSizePart = "size";
 
@@ -49,12 +50,14 @@ void BounceParts::keep_cell_m(float cell_m) {
     write(kSizePart, body);
 }
 
-bool BounceParts::take(const BounceLevel& level, bool is_coarse, std::size_t first, FoundRows rows) {
+bool BounceParts::take(const BounceLevel& level, bool is_coarse, std::size_t first, FoundRows rows,
+                       std::span<float> far_share) {
     const std::string part = rows_part(is_coarse, first);
     const auto body = read(part);
     if (!body) return false;
     const auto damaged = [&] {
         for (auto& row : rows) row.clear();
+        std::fill(far_share.begin(), far_share.end(), 0.0f);
         fail({"is damaged; that part of the links of bounced light is made again", file_of(part).string()});
         return false;
     };
@@ -74,10 +77,12 @@ bool BounceParts::take(const BounceLevel& level, bool is_coarse, std::size_t fir
                 !std::isfinite(link.weight + link.distance_m))
                 return damaged();
     }
-    return at == body->size() || damaged();
+    if (body->size() - at != far_share.size_bytes()) return damaged();
+    if (!far_share.empty()) std::memcpy(far_share.data(), body->data() + at, far_share.size_bytes());
+    return std::all_of(far_share.begin(), far_share.end(), is_share) || damaged();
 }
 
-void BounceParts::keep(bool is_coarse, std::size_t first, FoundRows rows) {
+void BounceParts::keep(bool is_coarse, std::size_t first, FoundRows rows, std::span<const float> far_share) {
     std::vector<std::uint8_t> body;
     const auto add = [&](const void* data, std::size_t size) {
         const auto* from = static_cast<const std::uint8_t*>(data);
@@ -88,6 +93,7 @@ void BounceParts::keep(bool is_coarse, std::size_t first, FoundRows rows) {
         add(&count, sizeof count);
         add(row.data(), row.size() * sizeof(FoundLink));
     }
+    add(far_share.data(), far_share.size_bytes());
     write(rows_part(is_coarse, first), body);
 }
 

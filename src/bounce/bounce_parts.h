@@ -35,8 +35,10 @@ public:
     float cell_m();
     void keep_cell_m(float cell_m);
     // Of nodes of a level, from one on; false: they are not there.
-    bool take(const BounceLevel& level, bool is_coarse, std::size_t first, FoundRows rows);
-    void keep(bool is_coarse, std::size_t first, FoundRows rows);
+    // far_share: that of Bounce, of the slots of these nodes; of the coarse level none.
+    bool take(const BounceLevel& level, bool is_coarse, std::size_t first, FoundRows rows,
+              std::span<float> far_share);
+    void keep(bool is_coarse, std::size_t first, FoundRows rows, std::span<const float> far_share);
     void remove_all();
     std::optional<Error> take_failure();
 

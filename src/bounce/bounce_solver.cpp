@@ -42,6 +42,53 @@ BounceSolver::BounceSolver(const Bounce& bounce) : bounce_(bounce) {
     arriving_ = sent_;
     coarse_sent_.assign(bounce.coarse.slots(), vec4(0));
     coarse_arriving_ = coarse_sent_;
+    share_far();
+}
+
+// A block has lit places in the open beside dark ones in niches: what is far gets light of the former, so
+// each sends and gets by how much it sees of what is far, against the mean of its block.
+void BounceSolver::share_far() {
+    constexpr float kLeastShare = 0.02f; // of a block that is shut in: nothing is known from it
+    const BounceLevel& fine = bounce_.fine;
+    const BounceLevel& coarse = bounce_.coarse;
+    const std::vector<float>& share = bounce_.far_share;
+    std::vector<float> mean(coarse.slots(), 0);
+    for (std::size_t c = 0; c < fine.cells.size(); ++c) {
+        const float fraction = fine.cells[c].volume_m3 / coarse.cells[fine.cells[c].block].volume_m3;
+        for (std::size_t bin = 0; bin < kBounceBins; ++bin)
+            mean[fine.cells[c].block * kBounceBins + bin] += share[c * kBounceBins + bin] * fraction;
+    }
+    for (std::size_t s = 0; s < fine.surfels.size(); ++s) {
+        const BounceSurfel& surfel = fine.surfels[s];
+        mean[coarse.surfel_slot(surfel.cluster)] +=
+            share[fine.surfel_slot(s)] * (surfel.area_m2 / coarse.surfels[surfel.cluster].area_m2);
+    }
+    const auto against = [](float own, float of_all) { return of_all > kLeastShare ? own / of_all : 1.0f; };
+    const auto of_parents = [&](const BounceParents& parents, const auto& slot_of) {
+        float sum = 0;
+        for (std::size_t p = 0; p < parents.node.size() && parents.node[p] != kNoNode; ++p)
+            sum += parents.fraction[p] * mean[slot_of(parents.node[p])];
+        return sum;
+    };
+    gets_far_.resize(fine.slots());
+    sends_far_.resize(fine.slots());
+    for (std::size_t c = 0; c < fine.cells.size(); ++c)
+        for (std::size_t bin = 0; bin < kBounceBins; ++bin) {
+            const std::size_t slot = c * kBounceBins + bin, back = c * kBounceBins + bounce_reversed(bin),
+                              block = fine.cells[c].block * kBounceBins + bounce_reversed(bin);
+            gets_far_[slot] =
+                against(share[slot], of_parents(bounce_.cell_parents[c], [&](std::uint32_t node) {
+                            return node * kBounceBins + bin;
+                        }));
+            sends_far_[slot] = against(share[back], mean[block]);
+        }
+    for (std::size_t s = 0; s < fine.surfels.size(); ++s) {
+        const std::size_t slot = fine.surfel_slot(s);
+        gets_far_[slot] = against(share[slot], of_parents(bounce_.surfel_parents[s], [&](std::uint32_t node) {
+                                      return coarse.surfel_slot(node);
+                                  }));
+        sends_far_[slot] = against(share[slot], mean[coarse.surfel_slot(fine.surfels[s].cluster)]);
+    }
 }
 
 void BounceSolver::set_haze(const shared::Haze& haze) {
@@ -83,7 +130,7 @@ void BounceSolver::begin(const std::vector<shared::Light>& lights, Field& sent) 
         for (const BounceEntries::OnSurface& entry : entries.surfaces) {
             const BounceSurfel& surfel = bounce_.fine.surfels[entry.surfel];
             sent[bounce_.fine.surfel_slot(entry.surfel)] +=
-                vec4(entry.lumens * intensity * surfel.albedo / (kPi * surfel.area_m2), 0);
+                vec4(entry.reflected * intensity / (kPi * surfel.area_m2), 0);
         }
     }
 }
@@ -97,12 +144,14 @@ void BounceSolver::step(const Field& sent, Field& arriving) {
         const BounceCell& cell = fine.cells[c];
         const float fraction = cell.volume_m3 / coarse.cells[cell.block].volume_m3;
         for (std::size_t bin = 0; bin < kBounceBins; ++bin)
-            coarse_sent_[cell.block * kBounceBins + bin] += sent[c * kBounceBins + bin] * fraction;
+            coarse_sent_[cell.block * kBounceBins + bin] +=
+                sent[c * kBounceBins + bin] * (fraction * sends_far_[c * kBounceBins + bin]);
     }
     for (std::size_t s = 0; s < fine.surfels.size(); ++s) {
         const BounceSurfel& surfel = fine.surfels[s];
         coarse_sent_[coarse.surfel_slot(surfel.cluster)] +=
-            sent[fine.surfel_slot(s)] * (surfel.area_m2 / coarse.surfels[surfel.cluster].area_m2);
+            sent[fine.surfel_slot(s)] *
+            (sends_far_[fine.surfel_slot(s)] * surfel.area_m2 / coarse.surfels[surfel.cluster].area_m2);
     }
     const auto gather = [](const BounceRows& rows, const std::vector<Term>& terms, const Field& from,
                            std::size_t slot) {
@@ -120,14 +169,16 @@ void BounceSolver::step(const Field& sent, Field& arriving) {
         const BounceParents& parents = bounce_.cell_parents[c];
         for (std::size_t p = 0; p < parents.node.size() && parents.node[p] != kNoNode; ++p)
             for (std::size_t bin = 0; bin < kBounceBins; ++bin)
-                to[bin] += coarse_arriving_[parents.node[p] * kBounceBins + bin] * parents.fraction[p];
+                to[bin] += coarse_arriving_[parents.node[p] * kBounceBins + bin] *
+                           (parents.fraction[p] * gets_far_[c * kBounceBins + bin]);
     }
     for (std::size_t s = 0; s < fine.surfels.size(); ++s) {
         vec4& to = arriving[fine.surfel_slot(s)];
         to = gather(bounce_.near, near_, sent, fine.surfel_slot(s));
         const BounceParents& parents = bounce_.surfel_parents[s];
         for (std::size_t p = 0; p < parents.node.size() && parents.node[p] != kNoNode; ++p)
-            to += coarse_arriving_[coarse.surfel_slot(parents.node[p])] * parents.fraction[p];
+            to += coarse_arriving_[coarse.surfel_slot(parents.node[p])] *
+                  (parents.fraction[p] * gets_far_[fine.surfel_slot(s)]);
     }
     // Light is never made from nothing.
     const glm::dvec3 most = sent_power(sent), got = arriving_power(arriving);

@@ -69,6 +69,7 @@ private:
         BounceEntries entries;
     };
 
+    void share_far();
     void weigh(const BounceRows& rows, std::vector<Term>& terms) const;
     void begin(const std::vector<shared::Light>& lights, Field& sent);
     void step(const Field& sent, Field& arriving);
@@ -81,6 +82,7 @@ private:
     std::optional<shared::Haze> haze_;
     BounceAir air_;
     std::vector<Term> near_, far_;
+    std::vector<float> gets_far_, sends_far_; // of fine slots, against the coarse ones that they stand for
     std::vector<Known> known_;
     Field sent_, arriving_, coarse_sent_, coarse_arriving_;
     BounceSolution solution_;

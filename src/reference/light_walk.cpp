@@ -22,6 +22,7 @@ using std::numbers::pi;
 
 constexpr std::int64_t kLeastBatches = 64; // errors of pixels are told from the differences between batches
 constexpr std::int64_t kMostOfBatch = 1 << 16;
+constexpr std::size_t kMostSteps = 4 * kWalkOrders; // of one particle
 constexpr double kFar_m = 1e5;
 constexpr double kRouletteBelow = 0.1; // of the weight that a particle began with
 // Haze nearer to the eye than this is as bright as there: 1/d^2 is singular in pixels, not in their mean.
@@ -200,7 +201,8 @@ private:
         const WalkStart start = source_.start(u);
         dvec3 from_m = start.from_m, way = start.way, flux(0.0);
         double first_weight = 0;
-        for (std::size_t order = 0; order < kWalkOrders; ++order) {
+        std::size_t order = 0;
+        for (std::size_t step = 0; step < kMostSteps && order < kWalkOrders; ++step) {
             const Surface surface = tracer_.first_hit(glm::vec3(from_m), glm::vec3(way),
                                                       static_cast<float>(random()), Sees::no_bodies);
             const bool met = surface.instance >= 0;
@@ -213,7 +215,7 @@ private:
             }
             const bool scattered = free_m < wall_m;
             const dvec3 place_m = from_m + way * (scattered ? free_m : wall_m);
-            if (order == 0) { // what the beam sends there
+            if (step == 0) { // what the beam sends there
                 flux = source_.candela(start.lamp, place_m - start.apex_m) *
                        (start.per_candela / static_cast<double>(of_batch_ * batches_));
                 first_weight = largest(flux);
@@ -225,10 +227,15 @@ private:
                 const double fraction = static_cast<double>(haze_.scattering_per_m / haze_.extinction_per_m);
                 power.absorbed_in_air += luminance(flux) * (1.0 - fraction);
                 flux *= fraction;
+                const dvec3 on = scatter(way, random);
+                from_m = place_m;
+                if (glm::dot(way, on) > options_.straight_cosine) {
+                    way = on;
+                    continue;
+                }
                 power.in_air += luminance(flux);
                 if (shows(order)) join(place_m, nullptr, way, flux, random, tally);
-                from_m = place_m;
-                way = scatter(way, random);
+                way = on;
             } else if (met) {
                 power.on_surfaces += luminance(flux);
                 if (shows(order)) join(place_m, &surface, way, flux, random, tally);
@@ -249,6 +256,7 @@ private:
                 if (random() * kRouletteBelow >= left) return;
                 flux *= kRouletteBelow / left;
             }
+            ++order;
         }
     }
 

@@ -35,6 +35,8 @@ struct WalkOptions {
     const scene::Camera* camera = nullptr; // null: no picture
     int first_order = 1;                   // what the picture shows: orders from .. to
     int last_order = static_cast<int>(kWalkOrders) - 1;
+    // Haze that bends light by an angle of a greater cosine begins no new order and counts nowhere.
+    double straight_cosine = 2;
     BeamOverride beam;                             // candela of every light, for tests
     std::function<bool()> stop;                    // asked from any thread
     std::function<void(double fraction)> progress; // never two calls at once

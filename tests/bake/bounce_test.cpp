@@ -105,6 +105,50 @@ TEST(Bounce, OrdersAreThoseOfParticles) {
     }
 }
 
+// Fins on the floor beside the pool of a beam: what lies between them sees little of the room, and the pool,
+// in the same blocks, all of it. No light is lost between first landing and next (5 % were, of blocks'
+// means).
+TEST(Bounce, LightOfTheOpenReachesWhatIsFar) {
+    scene::Stage stage = closed_room({6, 6, 4}, 0.5f);
+    const int fin = add_mesh(stage, box_mesh({0.02f, 2.5f, 0.6f}), add_material(stage, glm::vec3(0.1f)));
+    for (int k = 0; k < 12; ++k) {
+        const float x = 0.7f + 0.25f * static_cast<float>(k);
+        place(stage, fin, glm::translate(glm::mat4(1.0f), glm::vec3(x, 0, 0.6f)));
+        place(stage, fin, glm::translate(glm::mat4(1.0f), glm::vec3(-x, 0, 0.6f)));
+    }
+    const std::vector<shared::Light> lights{spot({0, 0, 7}, {0, 0, 0}, 4, 0)};
+    const Solved solved = solve(stage, lights, kThin, 5);
+    ASSERT_TRUE(solved.made);
+    const scene::BouncePower& first = solved.solution.orders[1];
+    const double met = (first.on_surfaces + first.in_air) / solved.solution.orders[0].emitted;
+    std::printf("met again %.4f of what leaves the pool\n", met);
+    EXPECT_GT(met, 0.985);
+    const Tracer tracer(stage);
+    WalkOptions options;
+    options.particles = 200'000;
+    const auto walk = walk_light(tracer, lights, {}, kThin, options);
+    ASSERT_TRUE(walk.ok());
+    EXPECT_NEAR(solved.solution.orders[1].on_surfaces / walk->orders[1].on_surfaces, 1.0, 0.03);
+    EXPECT_NEAR(solved.solution.orders[2].on_surfaces / walk->orders[2].on_surfaces, 1.0, 0.06);
+}
+
+// What leaves where a beam lands is by what is there, not by the mean of the surfel that it belongs to.
+TEST(Bounce, ABeamOnSomethingSmallAndWhite) {
+    scene::Stage stage = closed_room({5, 5, 3}, 0.04f);
+    const int sheet = add_mesh(stage, quad_mesh({-0.15f, -0.15f, 0}, {0.3f, 0, 0}, {0, 0.3f, 0}),
+                               add_material(stage, glm::vec3(0.9f)));
+    place(stage, sheet, glm::translate(glm::mat4(1.0f), glm::vec3(0.25f, 0.25f, 0.01f)));
+    const std::vector<shared::Light> lights{spot({0.25f, 0.25f, 5.5f}, {0.25f, 0.25f, 0}, 1, 0)};
+    const Solved solved = solve(stage, lights, shared::Haze{}, 2);
+    ASSERT_TRUE(solved.made);
+    const Tracer tracer(stage);
+    WalkOptions options;
+    options.particles = 100'000;
+    const auto walk = walk_light(tracer, lights, {}, shared::Haze{}, options);
+    ASSERT_TRUE(walk.ok());
+    EXPECT_NEAR(solved.solution.orders[0].emitted / walk->orders[0].reflected, 1.0, 0.04);
+}
+
 // A wall as thin as paper that cuts sub-voxels: next to nothing comes through (0.25 % when this was written).
 TEST(Bounce, NoLightGoesThroughWalls) {
     scene::Stage stage = closed_room({5, 6, 3}, 0.7f);

@@ -53,7 +53,7 @@ std::vector<std::uint8_t> file_of(const std::string& magic, const std::uint8_t* 
 }
 
 void take_part(const std::uint8_t* data, std::size_t size) {
-    fuzz_file("room.near-0.part", file_of("ghostlight bounce part 1\n", data, size));
+    fuzz_file("room.near-0.part", file_of("ghostlight bounce part 2\n", data, size));
     BounceLevel level;
     level.cells.resize(1);
     level.surfels.resize(1);
@@ -70,7 +70,7 @@ void take_part(const std::uint8_t* data, std::size_t size) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     take_part(data, size);
     const auto bounce =
-        read_bounce(fuzz_file("room.bin", file_of("ghostlight bounce 2\n", data, size)), kKey);
+        read_bounce(fuzz_file("room.bin", file_of("ghostlight bounce 3\n", data, size)), kKey);
     if (!bounce.ok() || !*bounce) return 0;
     solve(**bounce);
     const std::filesystem::path copy = fuzz_folder() / "again.bin";

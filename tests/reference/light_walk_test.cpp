@@ -6,6 +6,7 @@
 #include "reference/reference.h"
 #include "support/test_stage.h"
 
+#include <cmath>
 #include <cstring>
 #include <gtest/gtest.h>
 
@@ -43,6 +44,34 @@ TEST(LightWalk, OrdersOfAClosedRoomFallByItsAlbedo) {
             EXPECT_EQ(walk.orders[order].escaped, 0.0);
         }
     }
+}
+
+// Haze that bends light by less begins no order: order 0 scatters that much less of it, and as much is
+// absorbed.
+TEST(LightWalk, LightThatGoesStraightOnBeginsNoOrder) {
+    const scene::Stage stage = closed_room({5, 6, 3}, 0.5f);
+    const Tracer tracer(stage);
+    const shared::Haze haze{0.05f, 0.05f, 0.8f, 0.0f, 0.0f};
+    WalkOptions options;
+    options.particles = 200'000;
+    const std::vector<shared::Light> lights{spot({1, 0, 5}, {-1, 2, 0}, 20, 0)};
+    const Walk all = walked(tracer, lights, haze, options);
+    options.straight_cosine = 0.98768834; // nine degrees
+    const Walk bent = walked(tracer, lights, haze, options);
+    // Henyey and Greenstein, integrated from there to 1.
+    const double g = 0.8,
+                 straight = (1 - g * g) / (2 * g) *
+                            (1 / (1 - g) - 1 / std::sqrt(1 + g * g - 2 * g * options.straight_cosine));
+    const double first = bent.orders[0].in_air / all.orders[0].in_air;
+    // What went straight on may be scattered later on its way.
+    EXPECT_GT(first, 1 - straight);
+    EXPECT_LT(first, 1 - straight + 0.15 * straight);
+    double absorbed_all = 0, absorbed_bent = 0;
+    for (std::size_t k = 0; k < kWalkOrders; ++k) {
+        absorbed_all += all.orders[k].on_surfaces - all.orders[k].reflected;
+        absorbed_bent += bent.orders[k].on_surfaces - bent.orders[k].reflected;
+    }
+    EXPECT_NEAR(absorbed_bent / absorbed_all, 1.0, 0.005);
 }
 
 // Absorbed by surfaces and by haze, and escaped: all that was sent, whatever the haze.

@@ -16,6 +16,7 @@ struct SurfacePoint {
     glm::vec3 albedo{0};
     float area_m2 = 0;
     std::uint32_t cell = scene::kNoNode; // of air before it
+    std::uint32_t instance = 0;
 };
 
 struct BounceNodes {

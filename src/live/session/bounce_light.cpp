@@ -22,6 +22,7 @@
 #include <cstring>
 #include <exception>
 #include <map>
+#include <set>
 #include <utility>
 
 namespace ghost::app {
@@ -70,22 +71,34 @@ bake::BounceOptions options_of(scene::BounceDetail level) {
 // Where the lights of the show look; made when a light is first somewhere.
 class Sights {
 public:
-    Sights(const bake::Tracer& tracer, const scene::Bounce& bounce)
-        : tracer_(tracer), bounce_(bounce), index_(bounce) {}
+    Sights(const bake::Tracer& tracer, const scene::Bounce& bounce, const std::vector<glm::vec3>& stay_m)
+        : tracer_(tracer), bounce_(bounce), index_(bounce) {
+        constexpr std::size_t kMostFine = 128; // 84 MB
+        for (std::size_t k = 0; k < std::min(stay_m.size(), kMostFine); ++k) stay_.insert(rounded(stay_m[k]));
+    }
 
     const scene::LampSight* of(const glm::vec3& place_m) {
         constexpr std::size_t kMost = 4096;
         if (known_.size() >= kMost) known_.clear(); // lamps that travel
         auto& sight = known_[{place_m.x, place_m.y, place_m.z}];
         if (!sight)
-            sight = std::make_unique<scene::LampSight>(bake::lamp_sight(tracer_, bounce_, index_, place_m));
+            sight = std::make_unique<scene::LampSight>(bake::lamp_sight(
+                tracer_, bounce_, index_, place_m,
+                stay_.contains(rounded(place_m)) ? scene::kLampSightSize : scene::kSmallLampSightSize));
         return sight.get();
     }
 
 private:
+    using Millimetres = std::array<int, 3>;
+    static Millimetres rounded(const glm::vec3& place_m) {
+        const glm::ivec3 mm(glm::round(place_m * 1e3f)); // at most 10 km
+        return {mm.x, mm.y, mm.z};
+    }
+
     const bake::Tracer& tracer_;
     const scene::Bounce& bounce_;
     const bake::SurfelIndex index_;
+    std::set<Millimetres> stay_; // where lamps hang while nothing travels
     std::map<std::array<float, 3>, std::unique_ptr<scene::LampSight>> known_;
 };
 
@@ -95,17 +108,16 @@ BounceLight::BounceLight(const scene::Show& show, const scene::Stage& stage, sce
                          const shared::Gobos& gobos)
     : stage_(stage), fixtures_(show.fixtures.size()), home_(show.cache_home()),
       file_(scene::bounce_file(show, level)), options_(options_of(level)),
-      passes_(level == scene::BounceDetail::fine ? kPasses + 1 : kPasses), gobos_(gobos),
-      begin_s_(steady_now_s()) {
-    const std::vector<glm::vec3> lamps_m = lamps_of(show);
-    options_.box = scene::bounce_box(stage, lamps_m);
+      passes_(level == scene::BounceDetail::fine ? kPasses + 1 : kPasses), lamps_m_(lamps_of(show)),
+      gobos_(gobos), begin_s_(steady_now_s()) {
+    options_.box = scene::bounce_box(stage, lamps_m_);
     options_.stop = [this] { return stop_ || stop_making_ || interrupted(); };
     options_.progress = [this](double share) { share_ = share; };
-    for (const glm::vec3& lamp_m : lamps_m)
+    for (const glm::vec3& lamp_m : lamps_m_)
         for (const float aside_m : {0.0f, -kBesideLamp_m, kBesideLamp_m}) // whatever stands round its middle
             options_.seeds_m.push_back(lamp_m + glm::vec3(0, 0, aside_m));
     // Not of cameras where there are lamps: one that is added changes no light.
-    if (lamps_m.empty())
+    if (lamps_m_.empty())
         for (const scene::Camera& camera : show.cameras) options_.seeds_m.push_back(camera.position_m);
     thread_ = std::thread([this] { run(); });
 }
@@ -231,7 +243,7 @@ void BounceLight::run() {
         }
         changed_.notify_all();
         scene::BounceSolver solver(bounce_);
-        Sights sights(tracer, bounce_);
+        Sights sights(tracer, bounce_, lamps_m_);
         for (;;) {
             Wanted wanted;
             {

@@ -84,10 +84,11 @@ private:
     const std::filesystem::path home_, file_; // of the show's caches, of the links
     bake::BounceOptions options_;
     int passes_;
-    shared::Gobos gobos_;  // of the thread
-    scene::Bounce bounce_; // likewise
-    Wanted asked_;         // last
-    const double begin_s_; // of the steady clock
+    const std::vector<glm::vec3> lamps_m_; // while nothing travels
+    shared::Gobos gobos_;                  // of the thread
+    scene::Bounce bounce_;                 // likewise
+    Wanted asked_;                         // last
+    const double begin_s_;                 // of the steady clock
     std::atomic<bool> stop_{false}, stop_making_{false}, made_{false};
     std::atomic<double> share_{0}, solve_ms_{0};
     std::mutex mutex_; // of all below
