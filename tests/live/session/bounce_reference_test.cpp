@@ -118,8 +118,8 @@ INSTANTIATE_TEST_SUITE_P(
 constexpr const char* kCycles = ".multi_filtered.exr";
 INSTANTIATE_TEST_SUITE_P(
     Scenes, BounceReference,
-    testing::Values(WantedBounce{{kSharedReferences, "A_side_plain"}, kCycles, 8, 0.02, 0.045, 32},
-                    WantedBounce{{kSharedReferences, "A_side_gobo"}, kCycles, 8, 0.02, 0.045, 32},
+    testing::Values(WantedBounce{{kSharedReferences, "A_side_plain"}, kCycles, 8, 0.02, 0.03, 31},
+                    WantedBounce{{kSharedReferences, "A_side_gobo"}, kCycles, 8, 0.02, 0.03, 31},
                     WantedBounce{{kSharedReferences, "B_back_plain"}, kCycles, 8, 0.02, 0.07, 27},
                     WantedBounce{{kSharedReferences, "B_back_gobo"}, kCycles, 8, 0.02, 0.07, 27}),
     bounce_name_of);
