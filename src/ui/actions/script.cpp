@@ -6,6 +6,9 @@
 #include <QFileInfo>
 #include <QLocalSocket>
 
+#include <filesystem>
+#include <system_error>
+
 namespace ghost::ui {
 namespace {
 
@@ -13,6 +16,32 @@ constexpr int kPoll_ms = 15;
 constexpr double kLongestWait_s = 900; // for something that may never come
 constexpr double kPatience_s = 0.3;    // a window that was resized tells the engine after a moment
 constexpr qint64 kLongestLine = 65536;
+constexpr int kLongestSocket = 107; // bytes of its path, as Linux has it
+constexpr int kAnswers_ms = 300;
+
+// A socket of a window that was killed: nobody takes a connection.
+bool is_left_behind(const QString& place) {
+    std::error_code code;
+    if (!std::filesystem::is_socket(place.toStdString(), code)) return false; // a file of somebody's
+    QLocalSocket asks;
+    asks.connectToServer(place);
+    return !asks.waitForConnected(kAnswers_ms) && asks.error() == QLocalSocket::ConnectionRefusedError;
+}
+
+std::string why_not(const QString& place, const QLocalServer& server) {
+    const QFileInfo folder(QFileInfo(place).path());
+    const std::string socket = "no socket can be made there: ";
+    if (place.toUtf8().size() > kLongestSocket)
+        return socket + "its path has " + std::to_string(place.toUtf8().size()) +
+               " bytes, expected at most " + std::to_string(kLongestSocket);
+    if (!folder.isDir()) return socket + "there is no folder " + folder.filePath().toStdString();
+    if (!folder.isWritable())
+        return socket + "nothing can be written into the folder " + folder.filePath().toStdString();
+    if (server.serverError() == QAbstractSocket::AddressInUseError)
+        return QFileInfo(place).isFile() ? socket + "a file has that name"
+                                         : socket + "another window listens there, expected another name";
+    return socket + server.errorString().toStdString();
+}
 
 } // namespace
 
@@ -93,7 +122,11 @@ Result<void> RemoteControl::listen(const QString& name) {
                          name.toStdString() + "/window",
                      place.toStdString()};
     if (server_.listen(name)) return {};
-    return Error{server_.errorString().toStdString(), name.toStdString()};
+    if (server_.serverError() == QAbstractSocket::AddressInUseError && is_left_behind(place)) {
+        QLocalServer::removeServer(place);
+        if (server_.listen(name)) return {};
+    }
+    return Error{why_not(place, server_), place.toStdString()};
 }
 
 void RemoteControl::accept() {
