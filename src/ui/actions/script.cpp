@@ -19,28 +19,23 @@ constexpr qint64 kLongestLine = 65536;
 constexpr int kLongestSocket = 107; // bytes of its path, as Linux has it
 constexpr int kAnswers_ms = 300;
 
-// A socket of a window that was killed: nobody takes a connection.
-bool is_left_behind(const QString& place) {
+// Empty: it can. Asked before Qt makes one, which takes the place of whatever has that name, be it somebody's
+// file or the socket of another window. What a killed window left behind answers nobody.
+std::string why_no_socket(const QString& place) {
+    const QFileInfo folder(QFileInfo(place).path());
+    const auto bytes = place.toUtf8().size();
+    if (bytes > kLongestSocket)
+        return "its path has " + std::to_string(bytes) + " bytes, expected at most " +
+               std::to_string(kLongestSocket);
+    if (!folder.isDir()) return "there is no folder " + folder.filePath().toStdString();
+    if (!folder.isWritable()) return "nothing can be written into " + folder.filePath().toStdString();
     std::error_code code;
-    if (!std::filesystem::is_socket(place.toStdString(), code)) return false; // a file of somebody's
+    const std::filesystem::file_status there = std::filesystem::status(place.toStdString(), code);
+    if (!std::filesystem::exists(there)) return "";
+    if (!std::filesystem::is_socket(there)) return "a file has that name";
     QLocalSocket asks;
     asks.connectToServer(place);
-    return !asks.waitForConnected(kAnswers_ms) && asks.error() == QLocalSocket::ConnectionRefusedError;
-}
-
-std::string why_not(const QString& place, const QLocalServer& server) {
-    const QFileInfo folder(QFileInfo(place).path());
-    const std::string socket = "no socket can be made there: ";
-    if (place.toUtf8().size() > kLongestSocket)
-        return socket + "its path has " + std::to_string(place.toUtf8().size()) +
-               " bytes, expected at most " + std::to_string(kLongestSocket);
-    if (!folder.isDir()) return socket + "there is no folder " + folder.filePath().toStdString();
-    if (!folder.isWritable())
-        return socket + "nothing can be written into the folder " + folder.filePath().toStdString();
-    if (server.serverError() == QAbstractSocket::AddressInUseError)
-        return QFileInfo(place).isFile() ? socket + "a file has that name"
-                                         : socket + "another window listens there, expected another name";
-    return socket + server.errorString().toStdString();
+    return asks.waitForConnected(kAnswers_ms) ? "another window listens there, expected another name" : "";
 }
 
 } // namespace
@@ -121,12 +116,11 @@ Result<void> RemoteControl::listen(const QString& name) {
         return Error{"is a folder; expected the name of a socket that is made there, like " +
                          name.toStdString() + "/window",
                      place.toStdString()};
+    const std::string cannot = "no socket can be made there: ";
+    if (const std::string why = why_no_socket(place); !why.empty())
+        return Error{cannot + why, place.toStdString()};
     if (server_.listen(name)) return {};
-    if (server_.serverError() == QAbstractSocket::AddressInUseError && is_left_behind(place)) {
-        QLocalServer::removeServer(place);
-        if (server_.listen(name)) return {};
-    }
-    return Error{why_not(place, server_), place.toStdString()};
+    return Error{cannot + server_.errorString().toStdString(), place.toStdString()};
 }
 
 void RemoteControl::accept() {

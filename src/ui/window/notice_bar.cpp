@@ -217,8 +217,8 @@ void NoticeBar::ask(const QString& words, const std::vector<Answer>& answers, Ki
             }
             if (!answer.line.isEmpty()) actions_.choose(answer.line);
         });
-    place();
     show();
+    place();
     raise();
 }
 

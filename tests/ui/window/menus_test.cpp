@@ -410,13 +410,6 @@ TEST(FirstScreen, three_ways_to_a_show_and_no_panels_until_one_is_there) {
     in.open();
     EXPECT_FALSE(welcome->isVisible());
     EXPECT_TRUE(in.window.findChild<QDockWidget*>("fixtures")->isVisible());
-    EXPECT_EQ(in.window.app().request().transport.seeks, 0u) << "not the demo";
-    Opened demo = four_lamps();
-    auto show = std::make_shared<scene::Show>(*demo.show);
-    show->folder = "assets/demo";
-    demo.show = show;
-    in.open(std::move(demo));
-    EXPECT_EQ(in.window.app().request().transport.at_s, 55);
 }
 
 TEST(FirstScreen, shows_of_the_last_time_are_there_the_next_time_with_their_pictures) {
