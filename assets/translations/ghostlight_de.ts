@@ -1285,6 +1285,10 @@
         <source>the window itself %1 ms a picture (99 % within %2)</source>
         <translation>das Fenster selbst %1 ms pro Bild (99 % in %2)</translation>
     </message>
+    <message>
+        <source>packet to window: frozen, what a desk sends waits</source>
+        <translation>Paket bis Fenster: eingefroren, was ein Pult sendet, wartet</translation>
+    </message>
 </context>
 <context>
     <name>Files</name>
@@ -2317,6 +2321,14 @@
     <message>
         <source>Not done: %1</source>
         <translation>Nicht getan: %1</translation>
+    </message>
+    <message>
+        <source>Opened, but this is ignored: %1 (and %2 more)</source>
+        <translation>Geöffnet, doch dies wird übergangen: %1 (und %2 weitere)</translation>
+    </message>
+    <message>
+        <source>Opened, but this is ignored: %1</source>
+        <translation>Geöffnet, doch dies wird übergangen: %1</translation>
     </message>
 </context>
 <context>

@@ -9,6 +9,9 @@
 
 namespace ghost {
 
+// In the words of every message that says of a key in a file that it is ignored, before its name.
+inline constexpr const char* kUnknownKey = "unknown key";
+
 // ", did you mean 'x'?" for the candidate nearest to word (at most a third of its letters apart), else "".
 std::string did_you_mean(std::string_view word, std::span<const std::string> candidates);
 

@@ -60,7 +60,7 @@ const char* visibility_name(Visibility visibility); // "nearly_dark"
 struct Reason {
     Cause cause = Cause::none;
     bool blocks = false;       // it is why there is no light; else only worth knowing
-    std::string text;          // "the shutter function 'Closed' (DMX 3-5) is active on channel 11 (1.55)"
+    std::string text;          // "the shutter function 'Closed' (DMX 3-5) is active on channel 11 (1.055)"
     std::string group;         // the same for all fixtures with that trouble: "the shutter is closed"
     std::vector<int> channels; // ChannelFacts that are to blame
     float fraction = 0;        // of the light that passes all the same, where it is a part of the beam

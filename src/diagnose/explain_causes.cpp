@@ -163,7 +163,7 @@ Reason strobe_finding(const Beam& beam, const BeamFacts& facts) {
     return blocking(Cause::strobe, text, "their strobe is between two flashes", active, facts.strobe);
 }
 
-// Flags in words: "cyan 100 % on channel 6 (1.6)".
+// Flags in words: "cyan 100 % on channel 6 (1.006)".
 void add_colour_findings(const Beam& beam, const fixture::Optics& optics, const BeamFacts& facts,
                          std::vector<Reason>& findings) {
     if (facts.colour >= kBlocks) return;
@@ -200,7 +200,8 @@ void add_colour_findings(const Beam& beam, const fixture::Optics& optics, const 
                  "their colours let next to nothing through", channels, facts.colour));
 }
 
-// "the framing blades (top 60 % on channel 20 (1.20), bottom 45 % on channel 24 (1.24)) let only 0.1 % ...".
+// "the framing blades (top 60 % on channel 20 (1.020), bottom 45 % on channel 24 (1.024)) let only 0.1 %
+// ...".
 void add_blade_finding(const Beam& beam, const fixture::Optics& optics, const BeamFacts& facts,
                        std::vector<Reason>& findings) {
     if (facts.blades >= kBlocks) return;

@@ -51,6 +51,9 @@ void find_places(const fixture::Patch& patch, const Channel& channel, ChannelFac
     }
     facts.numbers = runs(numbers, follow);
     facts.addresses = runs(addresses, follow);
+    // Of one universe that is said once: "1.024-025".
+    if (follow && facts.places.size() > 1 && facts.places.front().universe == facts.places.back().universe)
+        facts.addresses = addresses.front() + "-" + addresses.back().substr(addresses.back().find('.') + 1);
 }
 
 struct Unit {
@@ -133,7 +136,7 @@ bool is_emitter(const fixture::Mode& mode, int channel, const ChannelReading& re
     return chosen.meaning.role == Role::color_add && chosen.attribute.starts_with("ColorMacro") == of_macro;
 }
 
-// "; the macro on channel 8 (1.8) is in its place": an emitter that is not shown.
+// "; the macro on channel 8 (1.008) is in its place": an emitter that is not shown.
 std::string macro_text(const std::vector<ChannelFacts>& channels, const fixture::Mode& mode,
                        const Channel& channel) {
     const ChannelFacts* macro = nullptr;
@@ -244,7 +247,9 @@ std::string range_text(std::uint32_t from, std::uint32_t to, std::size_t bytes) 
 }
 
 std::string address_text(const fixture::Address& address) {
-    return std::to_string(address.universe) + "." + std::to_string(address.channel);
+    char text[32];
+    std::snprintf(text, sizeof text, "%d.%03d", address.universe, address.channel);
+    return text;
 }
 
 std::string place_text(const ChannelFacts& channel) {

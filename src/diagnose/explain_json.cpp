@@ -83,9 +83,14 @@ Json universe_json(const UniverseFacts& facts) {
             {"senders", std::move(senders)}};
 }
 
+// Without the zeros that words have: programs compare it.
+Json address_json(const fixture::Address& address) {
+    return std::to_string(address.universe) + "." + std::to_string(address.channel);
+}
+
 Json channel_json(const ChannelFacts& channel) {
     Json places = Json::array();
-    for (const fixture::Address& place : channel.places) places.push_back(explained::address_text(place));
+    for (const fixture::Address& place : channel.places) places.push_back(address_json(place));
     const auto text_or_null = [](const std::string& text) {
         return text.empty() ? Json(nullptr) : Json(text);
     };
@@ -174,10 +179,9 @@ Json fixture_json(const Explanation& explanation) {
     Json patch = Json::array();
     for (std::size_t b = 0; b < explanation.footprint.size(); ++b) {
         const bool patched = b < explanation.addresses.size() && explanation.addresses[b].channel > 0;
-        patch.push_back(
-            {{"break", b + 1},
-             {"address", patched ? Json(explained::address_text(explanation.addresses[b])) : Json(nullptr)},
-             {"channels", explanation.footprint[b]}});
+        patch.push_back({{"break", b + 1},
+                         {"address", patched ? address_json(explanation.addresses[b]) : Json(nullptr)},
+                         {"channels", explanation.footprint[b]}});
     }
     Json universes = Json::array();
     for (const UniverseFacts& facts : explanation.universes) universes.push_back(universe_json(facts));

@@ -27,8 +27,8 @@ std::string percent(float fraction);              // "45 %", "1.7 %", "0.03 %"
 std::string dmx_text(std::uint32_t raw, std::size_t bytes);
 // "0-7"; of 16 bit channels coarse.fine, the fine byte only where a range does not end with a coarse one.
 std::string range_text(std::uint32_t from, std::uint32_t to, std::size_t bytes);
-std::string address_text(const fixture::Address& address); // "1.55"
-// "channel 11 (1.55)", "channel 2-3 of break 2", "the virtual channel 'Head_Dimmer'".
+std::string address_text(const fixture::Address& address); // "1.055", as lists have it
+// "channel 11 (1.055)", "channel 2-3 of break 2", "the virtual channel 'Head_Dimmer'".
 std::string place_text(const ChannelFacts& channel);
 // "is at 4", "is at its default 0".
 std::string value_text(const ChannelFacts& channel);

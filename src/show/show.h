@@ -149,6 +149,7 @@ struct Show {
     std::vector<std::string> hidden_layers; // of the plot, by name
     std::vector<std::string> hidden_classes;
     std::filesystem::path recording; // the show's own DMX recording, or empty
+    double begin_s = 0;              // second of it at which the window begins to play
     Sound sound;
     float ambient_lux = 0.0f;       // even light from everywhere, so that the house is not pitch black
     glm::vec3 ambient_colour{1.0f}; // of it: linear Rec.2020, luminance 1

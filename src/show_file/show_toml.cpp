@@ -242,6 +242,10 @@ void read_sections(const toml::table& root, const std::string& file, ParsedShow&
         parsed.stage_line = reader.line_of("stage");
         if (const auto recording = reader.text("recording")) show.recording = show.folder / *recording;
         parsed.recording_line = reader.line_of("recording");
+        put_value(show.begin_s, reader.number("begin_s", 0, kLongestOffset_s));
+        if (reader.has("begin_s") && !reader.has("recording"))
+            reader.problem(Severity::warning, "begin_s",
+                           "is not used: there is no recording (recording = the name of a file)");
         if (const auto sound = reader.text("sound")) show.sound.file = show.folder / *sound;
         put_value(show.sound.offset_s, reader.number("sound_offset_s", -kLongestOffset_s, kLongestOffset_s));
         show.sound.where = reader.where("sound");

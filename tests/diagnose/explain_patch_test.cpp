@@ -136,8 +136,9 @@ TEST(explain, HeadThatNobodyAsks) {
 TEST(explain, UniverseNeverReceived) {
     Trial trial(type_of(kDimmer));
     trial.show.fixtures[0].universe = 3;
-    expect(trial.set(1, 255, 1).set(1, 255, 2).explain(), Visibility::dark, Cause::never_received,
-           {"universe 3 is not in the recording, which has 1 and 2", "channel 1 (3.1) is at its default 0"});
+    expect(
+        trial.set(1, 255, 1).set(1, 255, 2).explain(), Visibility::dark, Cause::never_received,
+        {"universe 3 is not in the recording, which has 1 and 2", "channel 1 (3.001) is at its default 0"});
     trial.reception.first_frames_s.emplace_back(3, 40.5);
     trial.reception.at_s = 36;
     expect(trial.explain(), Visibility::dark, Cause::never_received,
@@ -191,7 +192,7 @@ TEST(explain, UniverseLostAndHeld) {
     desks.into(trial, 4s);
     expect(trial.explain(), Visibility::dark, Cause::lost,
            {"universe 1 is lost: its last packet came 9 s ago", "last look is held",
-            "the dimmer on channel 1 (1.1) is at 0"});
+            "the dimmer on channel 1 (1.001) is at 0"});
 }
 
 TEST(explain, UniverseWithFewerChannels) {
@@ -202,7 +203,7 @@ TEST(explain, UniverseWithFewerChannels) {
     desks.into(trial, 1s);
     expect(trial.explain(), Visibility::dark, Cause::not_sent,
            {"universe 1 comes with 4 channels, and 3 of the fixture lie past these",
-            "the dimmer on channel 1 (1.5) is at 0"});
+            "the dimmer on channel 1 (1.005) is at 0"});
     trial.reception.sources[0].most_slots = 512;
     expect(trial.explain(), Visibility::dark, Cause::not_sent,
            {"universe 1 comes with 4 channels (512 in some packets), and 3 of"});
@@ -255,12 +256,12 @@ TEST(explain, PreviewIsShownInsteadOfTheLiveLookAndFightsNobody) {
     blind.source.preview = true;
     desks.merge.feed(blind, 1s);
     desks.into(trial, 1s);
-    expect(trial.explain(), Visibility::dark, Cause::dimmer, {"channel 1 (1.1) is at 0"});
+    expect(trial.explain(), Visibility::dark, Cause::dimmer, {"channel 1 (1.001) is at 0"});
     blind.priority = 150;
     blind.sequence = static_cast<std::uint8_t>(blind.sequence + 1);
     desks.merge.feed(blind, 1s);
     desks.into(trial, 1s);
-    expect(trial.explain(), Visibility::dark, Cause::dimmer, {"channel 1 (1.1) is at 0"});
+    expect(trial.explain(), Visibility::dark, Cause::dimmer, {"channel 1 (1.001) is at 0"});
 }
 
 TEST(explain, WhatIsWrongWithTheNetworkIsSaidBesideTheVerdict) {
@@ -287,7 +288,7 @@ TEST(explain, HigherPriorityOverrides) {
     expect(dark, Visibility::dark, Cause::overridden,
            {"'Desk 2' (sACN, 10.0.0.2, priority 150) overrides 'Desk 1' (sACN, 10.0.0.1, priority 100), "
             "which would light it",
-            "on channel 1 (1.1) it sends 0 instead of 255"});
+            "on channel 1 (1.001) it sends 0 instead of 255"});
     ASSERT_EQ(dark.universes.size(), 1u);
     ASSERT_EQ(dark.universes[0].senders.size(), 2u);
     EXPECT_EQ(dark.universes[0].senders[0].channels_held, 0);
@@ -310,7 +311,7 @@ TEST(explain, PriorityPerAddressOverrides) {
     desks.merge.feed(priorities, 1s);
     desks.into(trial, 1s);
     expect(trial.explain(), Visibility::dark, Cause::overridden,
-           {"'Desk 1'", "sends 255 on channel 1 (1.1)", "priority per address", "nobody holds it"});
+           {"'Desk 1'", "sends 255 on channel 1 (1.001)", "priority per address", "nobody holds it"});
     priorities = desks.packet(1, 100, {255});
     priorities.start_code = 0xDD;
     desks.merge.feed(priorities, 1s);
@@ -334,8 +335,8 @@ TEST(explain, AnotherFixtureOnTheSameAddress) {
     Trial trial(type_of(kDimmer + kShutter));
     trial.add("Other", type_of(kDimmer), 1);
     expect(trial.set(1, 0).set(2, 8).explain(), Visibility::dark, Cause::same_address,
-           {"'Other', another kind of fixture, has the same address 1.1",
-            "the dimmer on channel 1 (1.1) is at 0"});
+           {"'Other', another kind of fixture, has the same address 1.001",
+            "the dimmer on channel 1 (1.001) is at 0"});
     // Of two of a kind that is meant.
     Trial twins(type_of(kDimmer));
     twins.add("Twin", twins.show.fixtures[0].type, 1);
@@ -349,9 +350,9 @@ TEST(explain, AnotherFixtureOnTheSameAddress) {
 TEST(explain, TheNextFixtureBeginsInside) {
     Trial trial(type_of(kDimmer + kShutter)); // two channels, the second is the neighbour's dimmer
     trial.add("Next", type_of(kDimmer), 2);
-    expect(
-        trial.set(1, 255).set(2, 3).explain(), Visibility::dark, Cause::overlap,
-        {"it (2 channels from 1.1) and 'Next' (1 channels from 1.2)", "wrong length", "'Closed' (DMX 0-7)"});
+    expect(trial.set(1, 255).set(2, 3).explain(), Visibility::dark, Cause::overlap,
+           {"it (2 channels from 1.001) and 'Next' (1 channels from 1.002)", "wrong length",
+            "'Closed' (DMX 0-7)"});
     // What is dark for a channel of its own is not the neighbour's fault.
     expect(trial.set(1, 0).set(2, 8).explain(), Visibility::dark, Cause::dimmer, {});
 }

@@ -34,7 +34,7 @@ TEST(explain, LitWithLumensAngleObjectMetresAndLux) {
     const float expected_lx = 0.01f * peak_cd * std::pow((10.0f + apex_m) / (6.0f + apex_m), 2.0f);
     EXPECT_NEAR(beam.hit->illuminance_lx, expected_lx, 0.005f * expected_lx);
     EXPECT_NEAR(beam.hit->distance_m, 6.0f, 0.02f);
-    EXPECT_EQ(lit.channels[0].addresses, "1.1");
+    EXPECT_EQ(lit.channels[0].addresses, "1.001");
     EXPECT_EQ(lit.channels[0].value, "255");
     EXPECT_EQ(lit.channels[0].meaning, "100 %");
     EXPECT_EQ(lit.channels[1].function, "Open");
@@ -73,7 +73,7 @@ TEST(explain, DimmerAtZero) {
     Trial trial(type_of(kDimmer + kShutter));
     const Explanation dark = trial.set(1, 0).set(2, 0).explain();
     expect(dark, Visibility::dark, Cause::dimmer,
-           {"dark because the dimmer on channel 1 (1.1) is at 0", "'Dimmer' (DMX 0-255)"});
+           {"dark because the dimmer on channel 1 (1.001) is at 0", "'Dimmer' (DMX 0-255)"});
     ASSERT_TRUE(find(dark, Cause::shutter)) << "the next obstacle is said, too";
     EXPECT_TRUE(find(dark, Cause::shutter)->blocks);
     expect(trial.set(1, 5).set(2, 8).explain(), Visibility::nearly_dark, Cause::dimmer,
@@ -84,7 +84,7 @@ TEST(explain, SixteenBitValuesAreCoarseAndFine) {
     Trial trial(type_of(simple("1,2", "Dimmer")));
     const Explanation dark = trial.set(2, 20).explain();
     expect(dark, Visibility::dark, Cause::dimmer,
-           {"channel 1-2 (1.1-1.2) is at 0.20 of function 'Dimmer' (DMX 0-255)"});
+           {"channel 1-2 (1.001-002) is at 0.20 of function 'Dimmer' (DMX 0-255)"});
     EXPECT_EQ(trial.set(1, 128).explain().channels[0].value, "128.20");
 }
 
@@ -96,14 +96,14 @@ TEST(explain, MasterAboveTheCells) {
     EXPECT_NEAR(half.beams[0].dimmer, 1.0f, 1e-4f);
     EXPECT_NEAR(half.beams[0].master, 0.2f, 1e-4f);
     expect(trial.set(1, 0).explain(), Visibility::dark, Cause::dimmer,
-           {"channel 1 (1.1) is at 0", "'Master'"});
+           {"channel 1 (1.001) is at 0", "'Master'"});
 }
 
 TEST(explain, ShutterClosed) {
     Trial trial(type_of(kDimmer + kShutter));
     trial.show.fixtures[0].address = 20;
     expect(trial.set(20, 255).set(21, 5).explain(), Visibility::dark, Cause::shutter,
-           {"dark because the shutter function 'Closed' (DMX 0-7) is active on channel 2 (1.21), value 5"});
+           {"dark because the shutter function 'Closed' (DMX 0-7) is active on channel 2 (1.021), value 5"});
 }
 
 TEST(explain, ModeMasterIsPartOfWhy) {
@@ -114,11 +114,11 @@ TEST(explain, ModeMasterIsPartOfWhy) {
     Trial trial(type_of(kDimmer + late));
     const Explanation dark = trial.set(1, 80).set(2, 4).explain();
     expect(dark, Visibility::dark, Cause::shutter, {"'Closed'"});
-    EXPECT_EQ(dark.channels[1].why, "4 is in 0-255 and channel 1 (1.1) is at 80, needed is 0-99");
+    EXPECT_EQ(dark.channels[1].why, "4 is in 0-255 and channel 1 (1.001) is at 80, needed is 0-99");
     const Explanation lit = trial.set(1, 100).explain();
     expect(lit, Visibility::lit, Cause::none, {});
     EXPECT_EQ(lit.channels[1].why,
-              "4 is in 0-255; 'Closed' does not count: channel 1 (1.1) is at 100, needed is 0-99");
+              "4 is in 0-255; 'Closed' does not count: channel 1 (1.001) is at 100, needed is 0-99");
 }
 
 TEST(explain, AMacroInThePlaceOfTheEmitters) {
@@ -133,7 +133,7 @@ TEST(explain, AMacroInThePlaceOfTheEmitters) {
     Trial trial(std::make_shared<const fixture::Type>(std::move(loaded->type)));
     EXPECT_EQ(trial.set(1, 200).set(2, 0).explain().channels[0].why, "200 is in 0-255");
     EXPECT_EQ(trial.set(2, 10).explain().channels[0].why,
-              "200 is in 0-255; the macro on channel 2 (1.2) is in its place");
+              "200 is in 0-255; the macro on channel 2 (1.002) is in its place");
 }
 
 TEST(explain, StrobeInItsDarkPhase) {
@@ -142,7 +142,7 @@ TEST(explain, StrobeInItsDarkPhase) {
     trial.dt_s = 0.1;
     trial.steps = 8;
     expect(trial.explain(), Visibility::dark, Cause::strobe,
-           {"between two flashes", "'Flash' (DMX 128-255) on channel 2 (1.2), value 128",
+           {"between two flashes", "'Flash' (DMX 128-255) on channel 2 (1.002), value 128",
             "flashes 1 times a second"});
     trial.steps = 3;
     expect(trial.explain(), Visibility::lit, Cause::none, {});
@@ -151,7 +151,7 @@ TEST(explain, StrobeInItsDarkPhase) {
 TEST(explain, IrisClosed) {
     Trial trial(type_of(kDimmer + simple("2", "Iris")));
     expect(trial.set(1, 255).set(2, 0).explain(), Visibility::dark, Cause::iris,
-           {"the iris is closed to 0 % of the beam's width: channel 2 (1.2) is at 0"});
+           {"the iris is closed to 0 % of the beam's width: channel 2 (1.002) is at 0"});
     const Explanation half = trial.set(2, 128).explain();
     const Profile profile = make_profile(20, 25, true);
     EXPECT_NEAR(half.beams[0].iris, beam_solid_angle(profile, 128 / 255.0f) / beam_solid_angle(profile, 1),
@@ -167,7 +167,7 @@ TEST(explain, BladesThatCoverAllComeBeforeWhatOnlyDims) {
     trial.set(1, 255).set(2, 255);
     for (const int blade : {3, 4, 5, 6}) trial.set(blade, 255);
     expect(trial.explain(), Visibility::dark, Cause::blades,
-           {"the framing blades (top 100 % in on channel 3 (1.3) and channel 4 (1.4), bottom 100 %",
+           {"the framing blades (top 100 % in on channel 3 (1.003) and channel 4 (1.004), bottom 100 %",
             "let only 0 %"});
     // Full flags leave 1.9 %, an iris at 0.1 leaves 1 %: the blades leave nothing.
     for (const int flag : {7, 8, 9}) trial.set(flag, 255);
@@ -231,8 +231,8 @@ TEST(explain, ColourFlagsAllFull) {
     const Explanation dark = trial.set(1, 255).set(2, 255).set(3, 255).set(4, 255).explain();
     // 0.03 0.80 0.95, 0.72 0.03 0.80, 0.90 0.75 0.02 of red, green, blue.
     expect(dark, Visibility::nearly_dark, Cause::colour,
-           {"nearly dark (1.9 %", "cyan 100 % on channel 2 (1.2), magenta 100 % on channel 3 (1.3) and "
-                                  "yellow 100 % on channel 4 (1.4)"});
+           {"nearly dark (1.9 %", "cyan 100 % on channel 2 (1.002), magenta 100 % on channel 3 (1.003) and "
+                                  "yellow 100 % on channel 4 (1.004)"});
 }
 
 const string kWheels = "<Wheel Name=\"Filters\"><Slot Name=\"Open\" Color=\"0.3127,0.3290,100\"/>"
@@ -248,7 +248,7 @@ TEST(explain, WheelSlotThatLetsNothingThrough) {
     Trial trial(type_of(kDimmer + kWheelChannel, kBeam, kWheels));
     const Explanation dark = trial.set(1, 255).set(2, 100).explain();
     expect(dark, Visibility::dark, Cause::colour,
-           {"'Black' of 'Filters' on channel 2 (1.2), value 100 lets only 0.01 % of the light through"});
+           {"'Black' of 'Filters' on channel 2 (1.002), value 100 lets only 0.01 % of the light through"});
     EXPECT_EQ(dark.channels[1].slot, 2);
     EXPECT_EQ(dark.channels[1].meaning, "slot 2 'Black' of 'Filters'");
     const Explanation between = trial.set(2, 50).explain();
@@ -271,9 +271,10 @@ TEST(explain, DarkGobo) {
     type.media.push_back(media);
     type.wheels[0].slots[1].media = 0;
     Trial trial(std::make_shared<const fixture::Type>(type));
-    expect(trial.set(1, 255).set(2, 100).explain(), Visibility::dark, Cause::gobo,
-           {"gobo wheel 'Filters' stands at 'Black' and lets only 0 % of the light through (channel 2 (1.2), "
-            "value 100)"});
+    expect(
+        trial.set(1, 255).set(2, 100).explain(), Visibility::dark, Cause::gobo,
+        {"gobo wheel 'Filters' stands at 'Black' and lets only 0 % of the light through (channel 2 (1.002), "
+         "value 100)"});
     const Explanation between = trial.set(2, 85).explain();
     EXPECT_EQ(between.cause, Cause::gobo);
     EXPECT_NE(between.verdict.find("stands between 'Open' and 'Black' and lets only"), string::npos)
@@ -284,7 +285,7 @@ TEST(explain, ZoomThatIsNoAngle) {
     Trial trial(type_of(kDimmer + simple("2", "Zoom", 0, 0.9f)));
     const Explanation thin = trial.set(1, 255).set(2, 51).explain();
     expect(thin, Visibility::unseen, Cause::zoom,
-           {"the zoom on channel 2 (1.2) is at 51", "0.18 deg", "no angle of a lamp"});
+           {"the zoom on channel 2 (1.002) is at 51", "0.18 deg", "no angle of a lamp"});
     Trial wide(type_of(kDimmer + simple("2", "Zoom", 10, 400)));
     const Explanation flood = wide.set(1, 255).set(2, 255).explain();
     expect(flood, Visibility::lit, Cause::none, {});
@@ -297,7 +298,7 @@ TEST(explain, LedNeedsColour) {
         type_of(kDimmer + simple("2", "ColorAdd_R") + simple("3", "ColorAdd_G") + simple("4", "ColorAdd_B")));
     expect(trial.set(1, 255).explain(), Visibility::dark, Cause::emitters,
            {"all its colours are at 0", "LED needs colour",
-            "channel 2 (1.2), channel 3 (1.3) and channel 4 (1.4)"});
+            "channel 2 (1.002), channel 3 (1.003) and channel 4 (1.004)"});
     expect(trial.set(3, 255).explain(), Visibility::lit, Cause::none, {});
 }
 
@@ -311,7 +312,7 @@ TEST(explain, LampOffAndLampOfNoLumens) {
     ASSERT_TRUE(find(told, Cause::lamp));
     EXPECT_NE(find(told, Cause::lamp)
                   ->text.find("the lamp is told to go off: function 'Lamp off' (DMX 165-171) on channel 2 "
-                              "(1.2), value 168"),
+                              "(1.002), value 168"),
               string::npos);
     EXPECT_EQ(find(trial.set(2, 0).explain(), Cause::lamp), nullptr);
     const Explanation reset = trial.set(2, 210).explain();
@@ -334,10 +335,10 @@ TEST(explain, LampPutOutByItsChannel) {
         Trial trial(type_of(kDimmer + control, beam));
         trial.set(1, 255).set(2, 200);
         trial.steps = 150; // held for 5 s
-        expect(
-            trial.explain(), Visibility::dark, Cause::lamp,
-            {"the lamp is told to go off: function 'Lamp off' (DMX 128-255) on channel 2 (1.2), value 200"});
-        expect(trial.set(1, 0).explain(), Visibility::dark, Cause::dimmer, {"channel 1 (1.1) is at 0"});
+        expect(trial.explain(), Visibility::dark, Cause::lamp,
+               {"the lamp is told to go off: function 'Lamp off' (DMX 128-255) on channel 2 (1.002), value "
+                "200"});
+        expect(trial.set(1, 0).explain(), Visibility::dark, Cause::dimmer, {"channel 1 (1.001) is at 0"});
     }
 }
 
@@ -354,8 +355,8 @@ TEST(explain, VirtualDimmerIsTheDesksWork) {
     expect(dark, Visibility::dark, Cause::emitters, {"all its colours are at 0"});
     ASSERT_TRUE(find(dark, Cause::dimmer));
     EXPECT_EQ(find(dark, Cause::dimmer)->text, "its dimmer is the virtual channel 'Beam_Dimmer': it has no "
-                                               "DMX channel, the desk works it into channel 1 (1.1) "
-                                               "and channel 2 (1.2)");
+                                               "DMX channel, the desk works it into channel 1 (1.001) "
+                                               "and channel 2 (1.002)");
 }
 
 TEST(explain, NoBeamGeometry) {
@@ -424,7 +425,7 @@ TEST(explain, FixtureThatRunsIntoTheNextUniverse) {
     const Explanation dark = trial.set(512, 255).explain();
     // The shutter is at its default in the universe that is not there, and that is closed.
     expect(dark, Visibility::dark, Cause::never_received,
-           {"universe 2 is not in the recording", "channel 2 (2.1), default 0"});
+           {"universe 2 is not in the recording", "channel 2 (2.001), default 0"});
 }
 
 TEST(explain, SummaryGroupsTheDark) {
@@ -443,11 +444,11 @@ TEST(explain, WordsAndJsonAreTheSameFacts) {
     const Explanation dark = trial.set(1, 255).set(2, 3).explain();
     const string words = words_of(dark, trial.reception);
     EXPECT_EQ(words.find("Lamp: dark because the shutter function 'Closed' (DMX 0-7) is active on channel 2 "
-                         "(1.2), value 3\n"),
+                         "(1.002), value 3\n"),
               0u)
         << words;
     for (const char* part :
-         {"recording test.show", "1: received", "1.1 to 1.2, 2 channels", "Test Tiny, mode 'Standard'",
+         {"recording test.show", "1: received", "1.001 to 1.002, 2 channels", "Test Tiny, mode 'Standard'",
           "dimmer 100 % x master 100 % x shutter 0 %", "= 0 of 10000 lm", "hits      'floor' 6 m"})
         EXPECT_NE(words.find(part), string::npos) << part << "\n" << words;
     const auto json = nlohmann::json::parse(json_of(dark, trial.reception));

@@ -99,7 +99,7 @@ class Demo(Case):
     def test_words(self):
         words = self.explained(SOURCE / "assets" / "demo", "Spot 3", "--at", "36", "--quiet")
         self.assertTrue(words.startswith("Spot 3: "), words)
-        for part in ("recording", "at 36 s", "universe  1: received", "1.45 to 1.66, 22 channels", "Shutter1", "x shutter", "points", "hits"):
+        for part in ("recording", "at 36 s", "universe  1: received", "1.045 to 1.066, 22 channels", "Shutter1", "x shutter", "points", "hits"):
             self.assertIn(part, words)
 
 
@@ -107,7 +107,7 @@ class Verdicts(Case):
     def test_closed_shutter_with_channel_function_and_range(self):
         show = write_show("closed", [spot(address=1)], [(1, {**OPEN, 11: 4})])
         words = self.explained(show, "Spot", "--quiet")
-        self.assertTrue(words.startswith("Spot: dark because the shutter function 'Closed' (DMX 3-5) is active on channel 11 (1.11), value 4\n"), words)
+        self.assertTrue(words.startswith("Spot: dark because the shutter function 'Closed' (DMX 3-5) is active on channel 11 (1.011), value 4\n"), words)
 
     def test_stage_of_a_model_file(self):
         """A floor in an OBJ file, 4 m below the lamp: name, distance and lux as the model and photometry have them."""
@@ -189,7 +189,7 @@ class Live(Case):
             facts = self.listen(show)
             self.assertEqual(facts["cause"], "overridden", facts["verdict"])
             self.assertIn("priority 120) overrides", facts["verdict"])
-            self.assertIn("on channel 1 (1.1) it sends 0 instead of 255", facts["verdict"])
+            self.assertIn("on channel 1 (1.001) it sends 0 instead of 255", facts["verdict"])
         finally:
             for player in players:
                 player.terminate()

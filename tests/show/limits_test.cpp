@@ -119,6 +119,7 @@ TEST(ShowLimits, ListsAndTexts) {
          "[[mover]]\nname = \"M\"\nkind = \"revolve\"\n[[mover.axis]]\nrange_deg = [0, 36001]\n", "36000"},
         {"sound = \"a.wav\"\nsound_offset_s = 86400\n", "sound = \"a.wav\"\nsound_offset_s = 86401\n",
          "86400"},
+        {"recording = \"a.show\"\nbegin_s = 86400\n", "recording = \"a.show\"\nbegin_s = 86401\n", "86400"},
     };
     for (const Row& row : rows) {
         const Report kept = row.is_look ? of_looks(row.most) : of_show(row.most);

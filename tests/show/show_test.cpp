@@ -93,6 +93,7 @@ TEST(ShowToml, Everything) {
 name = "Hall"
 stage = "hall.glb"
 recording = "hall.show"
+begin_s = 12.5
 sound = "song.flac"
 sound_offset_s = -1.5
 ambient_lux = 1.5
@@ -133,6 +134,7 @@ track = { stops_m = [[0, 0, 5], [1, 0, 5], [2, 0, 5]], universe = 3, address = 7
     EXPECT_EQ(show.folder, "show");
     EXPECT_EQ(show.stage_file, "show/hall.glb");
     EXPECT_EQ(show.recording, "show/hall.show");
+    EXPECT_EQ(show.begin_s, 12.5);
     EXPECT_EQ(show.sound.file, "show/song.flac");
     EXPECT_EQ(show.sound.offset_s, -1.5);
     EXPECT_FLOAT_EQ(show.ambient_lux, 1.5f);
@@ -201,6 +203,8 @@ const Wrong kWrong[] = {
      "expected a number from 0 to 10"},
     {"offset_of_no_sound", "[show]\nsound_offset_s = 1\n" + kHead.substr(kHead.find('\n') + 1), 2,
      Severity::warning, "there is no sound"},
+    {"beginning_of_no_recording", "[show]\nbegin_s = 1\n" + kHead.substr(kHead.find('\n') + 1), 2,
+     Severity::warning, "there is no recording"},
     {"infinite", kHead + "[haze]\nextinction_per_m = inf\n", 10, Severity::error,
      "expected a number from 0 to 10"},
     {"two_concentrations", kHead + "[haze]\nextinction_per_m = 0.1\nconcentration_mg_per_m3 = 5\n", 11,

@@ -4,6 +4,7 @@
 #include "dmx/record/activity.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <utility>
 
@@ -65,7 +66,10 @@ void LiveInput::step(ui::Input wanted, const ui::Transport& transport, double dt
     const bool is_frozen = dt_s <= 0;
     if (receiver_) {
         if (std::optional<dmx::Universes> newest = is_frozen ? std::nullopt : receiver_->take()) {
+            // What came while time stood still waited for a hand, not for us.
             arrival_ = newest->first_change;
+            if (was_frozen_ && arrival_.count() > 0)
+                arrival_ = std::chrono::steady_clock::now().time_since_epoch();
             desk_ = std::move(*newest);
             // The receiver holds looks for whoever was shown them, which is another show than this.
             std::erase_if(desk_.list, [this](const dmx::Universe& universe) {
@@ -77,6 +81,7 @@ void LiveInput::step(ui::Input wanted, const ui::Transport& transport, double dt
             statistics_are_new_ = true;
         }
     }
+    was_frozen_ = is_frozen;
     shows_desk_ =
         wanted == ui::Input::desk || (wanted == ui::Input::automatic && (!player_ || !desk_.list.empty()));
     if (shows_desk_) return;

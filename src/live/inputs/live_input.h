@@ -81,6 +81,7 @@ private:
     double listened_s_ = 0;
     std::uint64_t seeks_ = 0;
     std::chrono::nanoseconds arrival_{0};
+    bool was_frozen_ = false; // in the step before
     std::atomic<bool> stop_measuring_{false};
     std::future<std::vector<float>> measuring_; // the last member: it uses the one above
 };

@@ -254,6 +254,9 @@ void add_camera_actions(Actions& actions, AppModel& app,
                  [&app, &actions](const QStringList&) -> Result<void> {
                      // A hand takes one thing after the other, for the key is pressed twice as easily.
                      const bool had_object = app.marked().has_value();
+                     if (actions.is_by_hand() && !had_object && app.selection().empty() &&
+                         actions.item("full-screen"))
+                         return actions.run("full-screen off"); // as with every film; does nothing else
                      app.mark(std::nullopt);
                      if (!had_object || !actions.is_by_hand()) app.select({});
                      return {};

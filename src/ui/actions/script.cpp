@@ -6,6 +6,9 @@
 #include <QFileInfo>
 #include <QLocalSocket>
 
+#include <filesystem>
+#include <system_error>
+
 namespace ghost::ui {
 namespace {
 
@@ -13,6 +16,27 @@ constexpr int kPoll_ms = 15;
 constexpr double kLongestWait_s = 900; // for something that may never come
 constexpr double kPatience_s = 0.3;    // a window that was resized tells the engine after a moment
 constexpr qint64 kLongestLine = 65536;
+constexpr int kLongestSocket = 107; // bytes of its path, as Linux has it
+constexpr int kAnswers_ms = 300;
+
+// Empty: it can. Asked before Qt makes one, which takes the place of whatever has that name, be it somebody's
+// file or the socket of another window. What a killed window left behind answers nobody.
+std::string why_no_socket(const QString& place) {
+    const QFileInfo folder(QFileInfo(place).path());
+    const auto bytes = place.toUtf8().size();
+    if (bytes > kLongestSocket)
+        return "its path has " + std::to_string(bytes) + " bytes, expected at most " +
+               std::to_string(kLongestSocket);
+    if (!folder.isDir()) return "there is no folder " + folder.filePath().toStdString();
+    if (!folder.isWritable()) return "nothing can be written into " + folder.filePath().toStdString();
+    std::error_code code;
+    const std::filesystem::file_status there = std::filesystem::status(place.toStdString(), code);
+    if (!std::filesystem::exists(there)) return "";
+    if (!std::filesystem::is_socket(there)) return "a file has that name";
+    QLocalSocket asks;
+    asks.connectToServer(place);
+    return asks.waitForConnected(kAnswers_ms) ? "another window listens there, expected another name" : "";
+}
 
 } // namespace
 
@@ -92,8 +116,11 @@ Result<void> RemoteControl::listen(const QString& name) {
         return Error{"is a folder; expected the name of a socket that is made there, like " +
                          name.toStdString() + "/window",
                      place.toStdString()};
+    const std::string cannot = "no socket can be made there: ";
+    if (const std::string why = why_no_socket(place); !why.empty())
+        return Error{cannot + why, place.toStdString()};
     if (server_.listen(name)) return {};
-    return Error{server_.errorString().toStdString(), name.toStdString()};
+    return Error{cannot + server_.errorString().toStdString(), place.toStdString()};
 }
 
 void RemoteControl::accept() {

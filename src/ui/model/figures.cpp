@@ -54,7 +54,9 @@ QStringList Figures::lines() const {
         lines << translated("Figures", "tone curve %1")
                      .arg(QString::fromStdString(image::name_of(app_.request().tone)));
     const dmx::Latency &latency = app_.latency(), &cost = app_.window_cost();
-    if (latency_ms_ >= 0)
+    if (app_.request().frozen)
+        lines << translated("Figures", "packet to window: frozen, what a desk sends waits");
+    else if (latency_ms_ >= 0)
         lines << translated("Figures", "packet to window %1 ms (half within %2, 99 % within %3)")
                      .arg(latency_ms_, 0, 'f', 0)
                      .arg(latency.percentile_ms(0.5), 0, 'f', 0)

@@ -18,10 +18,16 @@
 namespace ghost::ui {
 namespace {
 
-constexpr int kAcross = 32;
-constexpr int kDown = static_cast<int>(dmx::kSlots) / kAcross;
-constexpr qint64 kFresh_ms = 600; // a value that changed is marked so long
+constexpr int kMostAcross = 32, kStepAcross = 8; // channels in a row
+constexpr int kBeside_px = 784;                  // of the panel, from which both halves are beside each other
+constexpr qint64 kFresh_ms = 600;                // a value that changed is marked so long
 constexpr int kSourceColumns = 10;
+constexpr int kLeastRows = 6; // of the levels, that are seen
+
+QFont small_letters(QFont font) {
+    font.setPointSizeF(font.pointSizeF() * 0.9);
+    return font;
+}
 
 } // namespace
 
@@ -29,14 +35,47 @@ UniverseGrid::UniverseGrid(AppModel& app, QWidget* parent) : QWidget(parent), ap
     clock_.start();
     changed_ms_.fill(-kFresh_ms);
     owner_.fill(-1);
-    setMinimumSize(kAcross * 14, kDown * 9);
+    setFont(small_letters(font()));
+    setMinimumWidth(names_px() + kStepAcross * least_cell().width());
     connect(&app_, &AppModel::rig_came, this, &UniverseGrid::take);
     connect(&app_, &AppModel::opened_show, this, &UniverseGrid::find_owners);
 }
 
 QSize UniverseGrid::sizeHint() const {
-    return {kAcross * fontMetrics().horizontalAdvance("000") + kAcross * 4,
-            kDown * (fontMetrics().height() + 3)};
+    return {names_px() + kMostAcross * least_cell().width(),
+            static_cast<int>(dmx::kSlots) / kMostAcross * least_cell().height()};
+}
+
+// In which a value can be read.
+QSize UniverseGrid::least_cell() const {
+    return {fontMetrics().horizontalAdvance("000") + 5, fontMetrics().height() + 2};
+}
+
+// Of the channel with which a row begins, at its left.
+int UniverseGrid::names_px() const {
+    return fontMetrics().horizontalAdvance("000") + 8;
+}
+
+int UniverseGrid::across() const {
+    const int fits = (width() - names_px()) / least_cell().width() / kStepAcross * kStepAcross;
+    return std::clamp(fits, kStepAcross, kMostAcross);
+}
+
+int UniverseGrid::down() const {
+    return (static_cast<int>(dmx::kSlots) + across() - 1) / across();
+}
+
+// Rows that find no room are scrolled to.
+void UniverseGrid::resizeEvent(QResizeEvent*) {
+    setMinimumHeight(down() * least_cell().height());
+}
+
+std::optional<QRect> UniverseGrid::first_selected() const {
+    for (int slot = 0; slot < static_cast<int>(dmx::kSlots); ++slot)
+        if (const int owner = owner_[static_cast<std::size_t>(slot)];
+            owner >= 0 && app_.selection().contains(static_cast<std::size_t>(owner)))
+            return cell(slot).toAlignedRect();
+    return std::nullopt;
 }
 
 void UniverseGrid::set_universe(int number) {
@@ -75,18 +114,20 @@ void UniverseGrid::take() {
 }
 
 QRectF UniverseGrid::cell(int slot) const {
-    const double across = static_cast<double>(width()) / kAcross,
-                 down = static_cast<double>(height()) / kDown;
-    return {across * (slot % kAcross), down * (slot / kAcross), across, down};
+    const double wide = static_cast<double>(width() - names_px()) / across(),
+                 high = static_cast<double>(height()) / down();
+    return {names_px() + wide * (slot % across()), high * (slot / across()), wide, high};
 }
 
 void UniverseGrid::paintEvent(QPaintEvent*) {
     QPainter painter(this);
     painter.fillRect(rect(), QColor(22, 22, 24));
-    QFont font = painter.font();
-    font.setPixelSize(
-        std::clamp(static_cast<int>(std::min(width() / kAcross * 0.5, height() / kDown * 0.75)), 6, 14));
-    painter.setFont(font);
+    painter.setPen(faint());
+    for (int slot = 0; slot < static_cast<int>(dmx::kSlots); slot += across()) {
+        const QRectF first = cell(slot);
+        painter.drawText(QRectF(0, first.top(), names_px() - 5, first.height()),
+                         Qt::AlignRight | Qt::AlignVCenter, QString::number(slot + 1));
+    }
     const qint64 now_ms = clock_.elapsed();
     for (int slot = 0; slot < static_cast<int>(dmx::kSlots); ++slot) {
         const auto index = static_cast<std::size_t>(slot);
@@ -116,11 +157,16 @@ void UniverseGrid::paintEvent(QPaintEvent*) {
 bool UniverseGrid::event(QEvent* event) {
     if (event->type() != QEvent::ToolTip) return QWidget::event(event);
     const auto* help = static_cast<QHelpEvent*>(event);
-    const int slot = std::clamp(help->pos().y() * kDown / std::max(height(), 1), 0, kDown - 1) * kAcross +
-                     std::clamp(help->pos().x() * kAcross / std::max(width(), 1), 0, kAcross - 1);
+    const int row = std::clamp(help->pos().y() * down() / std::max(height(), 1), 0, down() - 1),
+              column =
+                  std::clamp((help->pos().x() - names_px()) * across() / std::max(width() - names_px(), 1), 0,
+                             across() - 1);
+    const int slot = std::min(row * across() + column, static_cast<int>(dmx::kSlots) - 1);
     const int owner = owner_[static_cast<std::size_t>(slot)];
-    QString text =
-        QString("%1.%2: %3").arg(universe_).arg(slot + 1).arg(levels_[static_cast<std::size_t>(slot)]);
+    QString text = QString("%1.%2: %3")
+                       .arg(universe_)
+                       .arg(slot + 1, 3, 10, QChar('0'))
+                       .arg(levels_[static_cast<std::size_t>(slot)]);
     if (owner >= 0 && app_.show())
         text += "\n" + QString::fromStdString(app_.show()->fixtures[static_cast<std::size_t>(owner)].name);
     QToolTip::showText(help->globalPos(), text, this);
@@ -130,7 +176,7 @@ bool UniverseGrid::event(QEvent* event) {
 // Beside each other where both have room to be read.
 void NetworkPanel::resizeEvent(QResizeEvent*) {
     fit_sentences();
-    const bool is_wide = 4 * width() > 7 * grid_->minimumWidth();
+    const bool is_wide = width() > kBeside_px;
     const Qt::Orientation wanted = is_wide ? Qt::Horizontal : Qt::Vertical;
     if (halves_->orientation() == wanted) return;
     halves_->setOrientation(wanted);
@@ -179,7 +225,14 @@ NetworkPanel::NetworkPanel(AppModel& app, Actions& actions, QWidget* parent) : Q
     auto* right_layout = new QVBoxLayout(right);
     right_layout->setContentsMargins(0, 0, 0, 0);
     right_layout->addWidget(universes_);
-    right_layout->addWidget(grid_, 1);
+    auto* const scroll = new QScrollArea(right);
+    scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setWidgetResizable(true);
+    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    scroll->setMinimumSize(grid_->minimumWidth() + scroll->verticalScrollBar()->sizeHint().width(),
+                           kLeastRows * fontMetrics().height());
+    scroll->setWidget(grid_);
+    right_layout->addWidget(scroll, 1);
     halves_ = new QSplitter(this);
     halves_->addWidget(left);
     halves_->addWidget(right);
@@ -193,7 +246,11 @@ NetworkPanel::NetworkPanel(AppModel& app, Actions& actions, QWidget* parent) : Q
     connect(&app_, &AppModel::network_came, this, &NetworkPanel::refresh);
     connect(&app_, &AppModel::rig_came, this, &NetworkPanel::refresh_universes);
     connect(&app_, &AppModel::opened_show, this, &NetworkPanel::refresh_universes);
-    connect(&app_, &AppModel::selection_changed, grid_, qOverload<>(&QWidget::update));
+    connect(&app_, &AppModel::selection_changed, grid_, [this, scroll] {
+        grid_->update();
+        if (const auto first = grid_->first_selected())
+            scroll->ensureVisible(first->center().x(), first->center().y(), 0, 2 * first->height());
+    });
     connect(universes_, &QComboBox::currentIndexChanged, this, [this](int index) {
         if (index >= 0) grid_->set_universe(universes_->itemData(index).toInt());
     });

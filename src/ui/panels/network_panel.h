@@ -13,6 +13,8 @@
 #include <QTableWidget>
 #include <QWidget>
 
+#include <optional>
+
 namespace ghost::ui {
 
 // The 512 values of a universe, 32 in a row; a value is bright where it is high, and marked for a while after
@@ -23,13 +25,19 @@ public:
     UniverseGrid(AppModel& app, QWidget* parent);
     void set_universe(int number);
     QSize sizeHint() const override;
+    int across() const; // channels in a row, as many as can be read
+    QRectF cell(int slot) const;
+    std::optional<QRect> first_selected() const; // cell of the first channel of a selected fixture
 
 protected:
     void paintEvent(QPaintEvent*) override;
+    void resizeEvent(QResizeEvent*) override;
     bool event(QEvent* event) override; // tool tips
 
 private:
-    QRectF cell(int slot) const;
+    QSize least_cell() const;
+    int names_px() const;
+    int down() const;
     void take();
 
     AppModel& app_;

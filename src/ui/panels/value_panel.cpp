@@ -50,16 +50,6 @@ QString attribute_of(const scene::ChannelFacts& channel) {
     return attribute_words(channel.attribute.empty() ? channel.name : channel.attribute);
 }
 
-// As the list of fixtures has it: "1.023"; of several in one universe once: "1.024-025".
-QString padded(QString addresses) {
-    static const QRegularExpression kOneUniverse("(\\d+\\.)(\\d+)-\\1(\\d+)");
-    static const QRegularExpression kAddress("(\\d+)\\.(\\d{1,2})(?!\\d)");
-    for (auto found = kAddress.match(addresses); found.hasMatch(); found = kAddress.match(addresses))
-        addresses.replace(found.capturedStart(2), found.capturedLength(2),
-                          found.captured(2).rightJustified(3, '0'));
-    return addresses.replace(kOneUniverse, "\\1\\2-\\3");
-}
-
 // What a hand sets in this channel's place.
 QString words_by_hand(const scene::ChannelFacts& channel, const fixture::Programmer& programmer) {
     using fixture::Role;
@@ -145,14 +135,14 @@ QVariant ChannelModel::data(const QModelIndex& index, int role) const {
     const scene::ChannelFacts& channel = channels_[row];
     if (role == kShare) return share_of(channel);
     if (role == Qt::ToolTipRole)
-        return padded(QString::fromStdString(channel.addresses)) + " " +
+        return QString::fromStdString(channel.addresses) + " " +
                QString::fromStdString(channel.name + ": " + channel.function);
     if (role == Qt::ForegroundRole && index.column() == by_hand) return accent();
     if (role == Qt::ForegroundRole && !channel.reading.received) return faint();
     if (role != Qt::DisplayRole) return {};
     switch (index.column()) {
     case address:
-        return padded(QString::fromStdString(channel.addresses));
+        return QString::fromStdString(channel.addresses);
     case attribute:
         return attribute_of(channel);
     case value:

@@ -101,7 +101,11 @@ void View::ask_for_size() {
 }
 
 void View::take_picture() {
-    if (arrival_.count() == 0) arrival_ = app_.picture().arrival;
+    // A packet that a picture is late for because time stands still says nothing of its way.
+    if (app_.request().frozen)
+        arrival_ = {};
+    else if (arrival_.count() == 0)
+        arrival_ = app_.picture().arrival;
     picture_waits_ = true;
     figures_.count_picture();
     rest_timer_.start(figures_.rest_ms());

@@ -18,6 +18,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <vector>
 
 namespace ghost::ui {
@@ -27,6 +28,7 @@ constexpr int kFieldHeight_px = 84;
 constexpr float kStep = 0.01f;  // of the arrow keys
 constexpr float kLamp_k = 3200; // that a conversion filter is put before
 constexpr float kUsual_k = 5600;
+constexpr double kLeast_k = 2000, kMost_k = 10000, kStep_k = 50;
 
 const std::pair<const char*, QColor> kSwatches[] = {
     {QT_TRANSLATE_NOOP("Colour", "White"), QColor(255, 255, 255)},
@@ -61,6 +63,21 @@ const std::vector<QColor>& gel_colours() {
 bool is_same(const QColor& a, const QColor& b) {
     return std::abs(a.red() - b.red()) <= 1 && std::abs(a.green() - b.green()) <= 1 &&
            std::abs(a.blue() - b.blue()) <= 1;
+}
+
+QColor white_of(double kelvin) {
+    return screen_colour(image::cct_to_rec2020(static_cast<float>(kelvin)));
+}
+
+// From kLeast_k on, kStep_k apart.
+const std::vector<QColor>& white_colours() {
+    static const std::vector<QColor> all = [] {
+        std::vector<QColor> colours;
+        for (double kelvin = kLeast_k; kelvin <= kMost_k; kelvin += kStep_k)
+            colours.push_back(white_of(kelvin));
+        return colours;
+    }();
+    return all;
 }
 
 } // namespace
@@ -137,8 +154,8 @@ void HueField::keyPressEvent(QKeyEvent* event) {
 
 ColourField::ColourField(QWidget* parent)
     : QWidget(parent), hues_(new HueField(this)),
-      kelvin_(new ValueRow(translated("Colour", "White"), {2000, 10000, 0, " K"}, this)),
-      gels_(new QComboBox(this)) {
+      kelvin_(new ValueRow(translated("Colour", "White"), {kLeast_k, kMost_k, 0, " K"}, this)),
+      white_k_(static_cast<double>(kUsual_k)), gels_(new QComboBox(this)) {
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 4);
     layout->setSpacing(4);
@@ -169,13 +186,16 @@ ColourField::ColourField(QWidget* parent)
     layout->addLayout(swatches);
     layout->addWidget(kelvin_);
     layout->addWidget(gels_);
-    kelvin_->show_value(static_cast<double>(kUsual_k), false);
+    kelvin_->show_value(white_k_, false);
+    kelvin_->show_none();
     hues_->on_change = [this](const QColor& colour) {
         show_gel(colour, false);
+        show_white(colour, false);
         if (on_change) on_change(colour);
     };
     kelvin_->on_change = [this](double kelvin) {
-        choose(screen_colour(image::cct_to_rec2020(static_cast<float>(kelvin))));
+        white_k_ = kelvin;
+        choose(white_of(kelvin));
     };
     connect(gels_, &QComboBox::activated, this, [this](int index) {
         if (index > 0) choose(gel_colours()[static_cast<std::size_t>(index - 1)]);
@@ -185,6 +205,7 @@ ColourField::ColourField(QWidget* parent)
 void ColourField::show_colour(const QColor& colour, bool mixed) {
     hues_->show_colour(colour);
     show_gel(colour, mixed);
+    show_white(colour, mixed);
 }
 
 // The one that has this colour, or none; an open list stays as it is.
@@ -194,6 +215,21 @@ void ColourField::show_gel(const QColor& colour, bool mixed) {
     const auto found =
         std::find_if(gels.begin(), gels.end(), [&](const QColor& gel) { return is_same(gel, colour); });
     gels_->setCurrentIndex(mixed || found == gels.end() ? 0 : static_cast<int>(found - gels.begin()) + 1);
+}
+
+// What it is in kelvin where it is a white, else nothing. What was typed stays as it was typed, though its
+// neighbours are the same on a screen.
+void ColourField::show_white(const QColor& colour, bool mixed) {
+    std::optional<double> found;
+    if (!mixed && is_same(white_of(white_k_), colour)) found = white_k_;
+    const std::vector<QColor>& whites = white_colours();
+    const auto same = std::find_if(whites.begin(), whites.end(),
+                                   [&](const QColor& white) { return is_same(white, colour); });
+    if (!mixed && !found && same != whites.end())
+        found = kLeast_k + kStep_k * static_cast<double>(same - whites.begin());
+    if (!found) return kelvin_->show_none();
+    white_k_ = *found;
+    kelvin_->show_value(white_k_, false);
 }
 
 void ColourField::choose(const QColor& colour) {

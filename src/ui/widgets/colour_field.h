@@ -46,9 +46,11 @@ public:
 private:
     void choose(const QColor& colour);
     void show_gel(const QColor& colour, bool mixed);
+    void show_white(const QColor& colour, bool mixed);
 
     HueField* hues_;
     ValueRow* kelvin_;
+    double white_k_; // that was chosen or shown last
     QComboBox* gels_;
 };
 

@@ -6,7 +6,6 @@
 #include "ui/widgets/theme.h"
 #include "ui/widgets/value_row.h"
 
-#include <QHBoxLayout>
 #include <QMenu>
 #include <QStyle>
 
@@ -21,7 +20,8 @@ constexpr int kParameterSteps = 1020; // of the slider: four to a value of eight
 
 ParameterRow::ParameterRow(const HeadParameter& parameter, SlotPictures& pictures, QWidget* parent)
     : QWidget(parent), label_(new QLabel(this)), slider_(new QSlider(Qt::Horizontal, this)),
-      meaning_(new QToolButton(this)), release_(new QToolButton(this)) {
+      meaning_(new QToolButton(this)), release_(new QToolButton(this)),
+      lines_(*this, *label_, *slider_, *meaning_, *release_) {
     label_->setFixedWidth(ValueRow::label_width(*this));
     label_->setText(label_->fontMetrics().elidedText(parameter.name, Qt::ElideRight, label_->width()));
     label_->setToolTip(parameter.name + " (" + QString::fromStdString(parameter.attribute) + ")");
@@ -45,13 +45,6 @@ ParameterRow::ParameterRow(const HeadParameter& parameter, SlotPictures& picture
     release_->setText("\u21BA"); // back
     release_->setToolTip(translated("Value", "Give it back to the show and the desk"));
     release_->setAccessibleName(translated("Value", "Give back %1").arg(parameter.name));
-    auto* layout = new QHBoxLayout(this);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(ValueRow::kBetween_px);
-    layout->addWidget(label_);
-    layout->addWidget(slider_, 1);
-    layout->addWidget(meaning_);
-    layout->addWidget(release_);
     connect(slider_, &QSlider::valueChanged, this, [this](int at) {
         if (follows_) return;
         const float to = static_cast<float>(at) / kParameterSteps;

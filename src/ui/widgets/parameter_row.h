@@ -29,11 +29,15 @@ public:
     std::function<void()> on_refresh;
     std::function<void()> on_release;
 
+protected:
+    void resizeEvent(QResizeEvent*) override { lines_.fit(); }
+
 private:
     QLabel* label_;
     QSlider* slider_;
     QToolButton* meaning_;
     QToolButton* release_;
+    RowLines lines_;
     bool follows_ = false; // it is being set, not moved
     MixedDrag drag_;
 };

@@ -5,7 +5,6 @@
 #include "ui/widgets/following.h"
 #include "ui/widgets/theme.h"
 
-#include <QHBoxLayout>
 #include <QLineEdit>
 
 #include <algorithm>
@@ -21,7 +20,7 @@ constexpr int kShareSteps = 1000; // of the slider
 
 MixedSpinBox::MixedSpinBox(QWidget* parent) : QDoubleSpinBox(parent) {
     connect(lineEdit(), &QLineEdit::textEdited, this, [this] {
-        if (std::exchange(is_mixed_, false)) is_typed_over_ = true;
+        if (!std::exchange(word_, QString()).isEmpty()) is_typed_over_ = true;
     });
     connect(this, &QAbstractSpinBox::editingFinished, this, [this] {
         lineEdit()->setModified(false);
@@ -33,17 +32,23 @@ bool MixedSpinBox::is_being_typed() const {
     return is_typed_over_ || (hasFocus() && lineEdit()->isModified());
 }
 
-void MixedSpinBox::set_mixed(bool mixed) {
+QString MixedSpinBox::mixed_word() {
+    return translated("Value", "mixed");
+}
+
+void MixedSpinBox::set_word(const QString& word) {
     if (unit_.isEmpty()) unit_ = suffix();
-    const QString unit = mixed ? QString() : unit_; // "mixed" has none, whatever value comes behind it
-    if (mixed == is_mixed_ && suffix() == unit) return;
-    is_mixed_ = mixed;
+    const QString unit =
+        word.isEmpty() ? unit_ : QString(); // a word has none, whatever value comes behind it
+    if (word == word_ && suffix() == unit) return;
+    word_ = word;
+    if (!word.isEmpty()) last_word_ = word;
     setSuffix(unit);
     lineEdit()->setText(textFromValue(value()) + unit);
 }
 
 void MixedSpinBox::stepBy(int steps) {
-    if (is_mixed_ && on_mixed_step)
+    if (is_mixed() && on_mixed_step)
         on_mixed_step(steps * singleStep());
     else
         QDoubleSpinBox::stepBy(steps);
@@ -51,26 +56,49 @@ void MixedSpinBox::stepBy(int steps) {
 
 // The value behind the word may be at its end, the others are not.
 QAbstractSpinBox::StepEnabled MixedSpinBox::stepEnabled() const {
-    return is_mixed_ && on_mixed_step ? StepUpEnabled | StepDownEnabled : QDoubleSpinBox::stepEnabled();
+    return is_mixed() && on_mixed_step ? StepUpEnabled | StepDownEnabled : QDoubleSpinBox::stepEnabled();
 }
 
 QString MixedSpinBox::textFromValue(double value) const {
-    return is_mixed_ ? translated("Value", "mixed") : QDoubleSpinBox::textFromValue(value);
+    return is_mixed() ? word_ : QDoubleSpinBox::textFromValue(value);
 }
 
 double MixedSpinBox::valueFromText(const QString& text) const {
-    return text.contains(translated("Value", "mixed")) ? value() : QDoubleSpinBox::valueFromText(text);
+    return has(text) ? value() : QDoubleSpinBox::valueFromText(text);
 }
 
 QValidator::State MixedSpinBox::validate(QString& text, int& place) const {
-    return text.contains(translated("Value", "mixed")) ? QValidator::Acceptable
-                                                       : QDoubleSpinBox::validate(text, place);
+    return has(text) ? QValidator::Acceptable : QDoubleSpinBox::validate(text, place);
+}
+
+RowLines::RowLines(QWidget& row, QWidget& label, QWidget& slider, QWidget& field, QWidget& button)
+    : row_(row), label_(label), slider_(slider), field_(field), button_(button),
+      grid_(new QGridLayout(&row)) {
+    grid_->setContentsMargins(0, 0, 0, 0);
+    grid_->setHorizontalSpacing(ValueRow::kBetween_px);
+    grid_->setVerticalSpacing(0);
+    grid_->setColumnStretch(1, 1);
+    grid_->addWidget(&label, 0, 0);
+    grid_->addWidget(&slider, 0, 1);
+    grid_->addWidget(&field, 0, 2);
+    grid_->addWidget(&button, 0, 3);
+}
+
+void RowLines::fit() {
+    const int words_px = label_.width() + field_.minimumWidth() + button_.sizeHint().width();
+    const bool two = row_.width() - words_px - 3 * ValueRow::kBetween_px < ValueRow::kHandy_px;
+    if (std::exchange(has_two_, two) == two) return;
+    grid_->removeWidget(&slider_);
+    if (two)
+        grid_->addWidget(&slider_, 1, 0, 1, 4);
+    else
+        grid_->addWidget(&slider_, 0, 1);
 }
 
 ValueRow::ValueRow(const QString& name, const ValueRange& range, QWidget* parent)
     : QWidget(parent), range_(range), label_(new QLabel(name, this)),
       slider_(new QSlider(Qt::Horizontal, this)), field_(new MixedSpinBox(this)),
-      release_(new QToolButton(this)) {
+      release_(new QToolButton(this)), lines_(*this, *label_, *slider_, *field_, *release_) {
     label_->setFixedWidth(label_width(*this));
     slider_->setRange(0, kShareSteps);
     slider_->setMinimumWidth(kLeastSlider_px);
@@ -85,13 +113,6 @@ ValueRow::ValueRow(const QString& name, const ValueRange& range, QWidget* parent
     release_->setText("\u21BA"); // back
     release_->setToolTip(translated("Value", "Give it back to the show and the desk"));
     release_->setEnabled(false);
-    auto* layout = new QHBoxLayout(this);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(kBetween_px);
-    layout->addWidget(label_);
-    layout->addWidget(slider_, 1);
-    layout->addWidget(field_);
-    layout->addWidget(release_);
     connect(slider_, &QSlider::valueChanged, this, [this](int at) {
         if (follows_) return;
         if (drag_.is_mixed() && on_mixed_drag)
@@ -158,6 +179,13 @@ void ValueRow::show_value(double value, bool by_hand, bool mixed) {
     QPalette colours = palette();
     if (by_hand) colours.setColor(QPalette::WindowText, accent());
     label_->setPalette(colours);
+}
+
+void ValueRow::show_none() {
+    if (!field_->is_being_typed()) field_->set_word("\u2013");
+    release_->setVisible(on_release != nullptr);
+    release_->setEnabled(false);
+    label_->setPalette(palette());
 }
 
 } // namespace ghost::ui

@@ -4,6 +4,7 @@
 // show. It shows what is there until it is moved. Window thread.
 
 #include <QDoubleSpinBox>
+#include <QGridLayout>
 #include <QLabel>
 #include <QSlider>
 #include <QString>
@@ -24,13 +25,15 @@ struct ValueRange {
     bool by_ratio = false; // the slider's steps are ratios: for what spans decades; low above 0
 };
 
-// Says "mixed" instead of its number where it is told to.
+// Says "mixed", or another word, instead of its number where it is told to.
 class MixedSpinBox : public QDoubleSpinBox {
     Q_OBJECT
 public:
     explicit MixedSpinBox(QWidget* parent);
-    bool is_mixed() const { return is_mixed_; }
-    void set_mixed(bool mixed);
+    bool is_mixed() const { return !word_.isEmpty(); }
+    void set_mixed(bool mixed) { set_word(mixed ? mixed_word() : QString()); }
+    void set_word(const QString& word); // empty: its number
+    static QString mixed_word();
     bool is_being_typed() const; // and not entered
     // A number was typed in the place of the word, be it that of the first.
     std::function<void(double)> on_typed_over;
@@ -45,7 +48,9 @@ protected:
     StepEnabled stepEnabled() const override;
 
 private:
-    bool is_mixed_ = false;
+    QString word_; // empty: its number
+    QString last_word_;
+    bool has(const QString& text) const { return !last_word_.isEmpty() && text.contains(last_word_); }
     QString unit_;
     bool is_typed_over_ = false; // and not finished
 };
@@ -71,18 +76,35 @@ private:
     double from_ = 0;
 };
 
+// The places of a row's label, slider, field and button: one line, or two where the slider would be shorter
+// in it than a hand needs.
+class RowLines {
+public:
+    RowLines(QWidget& row, QWidget& label, QWidget& slider, QWidget& field, QWidget& button);
+    void fit(); // when the row gets another width
+    bool has_two() const { return has_two_; }
+
+private:
+    QWidget &row_, &label_, &slider_, &field_, &button_;
+    QGridLayout* grid_;
+    bool has_two_ = false;
+};
+
 class ValueRow : public QWidget {
     Q_OBJECT
 public:
     // Of the names of rows, so that all of a panel begin at one place.
     static int label_width(const QWidget& widget);
-    // Rows find room in the narrowest column, beside a scroll bar.
-    static constexpr int kLeastSlider_px = 22, kBetween_px = 3;
+    // Rows find room in the narrowest column, beside a scroll bar; a slider has at least kHandy_px, or a
+    // line.
+    static constexpr int kLeastSlider_px = 22, kHandy_px = 80, kBetween_px = 3;
     ValueRow(const QString& name, const ValueRange& range, QWidget* parent);
 
     // by_hand: it is set by a person; else it is only shown. mixed: others have other values; the word stands
     // there until one is given to all. Does not call back.
     void show_value(double value, bool by_hand, bool mixed = false);
+    // It has no value now, a dash stands there; what is typed or dragged is one. Does not call back.
+    void show_none();
     // Does not call back.
     void set_reach(double low, double high);
     std::function<void(double)> on_change; // a person moved it
@@ -94,6 +116,9 @@ public:
     std::function<void()> on_refresh; // show_value is wanted: the slider was let go
     std::function<void()> on_release; // none: there is nothing to give it back to
 
+protected:
+    void resizeEvent(QResizeEvent*) override { lines_.fit(); }
+
 private:
     int to_slider(double value) const;
     double from_slider(int at) const;
@@ -103,6 +128,7 @@ private:
     QSlider* slider_;
     MixedSpinBox* field_;
     QToolButton* release_;
+    RowLines lines_;
     bool follows_ = false; // it is being set, not moved
     MixedDrag drag_;
 };

@@ -1,14 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/window/private/notice_bar.h"
 
+#include "base/suggest.h"
+#include "show/show.h"
 #include "ui/language/language.h"
 #include "ui/model/fixture_groups.h"
 #include "ui/model/shortened.h"
 
+#include <QEvent>
 #include <QFileInfo>
 #include <QLabel>
+#include <QLayout>
 #include <QRegularExpression>
 
+#include <algorithm>
 #include <utility>
 
 namespace ghost::ui {
@@ -17,7 +22,7 @@ namespace {
 constexpr int kNoticeLetters = 120; // beyond, paths in it lose their beginnings
 
 // As wide as there is room, and no higher than its words need there: Qt wants one that wraps to be half as
-// high as it is wide, and the bar would push the panels down.
+// high as it is wide.
 class NoticeWords : public QLabel {
 public:
     using QLabel::QLabel;
@@ -28,14 +33,23 @@ public:
     QSize minimumSizeHint() const override { return {fontMetrics().averageCharWidth() * 20, 0}; }
 };
 
+// What the show file says and nobody understood, a key that is mistyped. Other warnings, of files of fixtures
+// and of the patch, stand in Messages alone: many a show has some.
+bool is_ignored_key(const Message& message, const scene::Show& show) {
+    return message.severity == Severity::warning && message.where.starts_with(show.file.string() + ":") &&
+           message.what.find(kUnknownKey) != std::string::npos;
+}
+
 } // namespace
 
-NoticeBar::NoticeBar(Actions& actions, ShowDocument& document, AppModel& app, QWidget* parent)
-    : QToolBar(translated("Notice", "Notice"), parent), actions_(actions), document_(document), app_(app) {
+NoticeBar::NoticeBar(Actions& actions, ShowDocument& document, AppModel& app, QWidget* over)
+    : QToolBar(translated("Notice", "Notice"), over), actions_(actions), document_(document), app_(app) {
     connect(&app_, &AppModel::messages_came, this, &NoticeBar::look_at_messages);
     setObjectName("notice");
     setMovable(false);
-    toggleViewAction()->setVisible(false);
+    setAutoFillBackground(true);
+    setAttribute(Qt::WA_NoMousePropagation); // the picture below it would turn
+    over->installEventFilter(this);
     hide();
     connect(&document_, &ShowDocument::draft_found, this, [this](const QString& words) {
         ask(words, {{translated("Notice", "Take them"), "take-changes"},
@@ -100,7 +114,7 @@ void NoticeBar::forget_refused() {
 
 void NoticeBar::say_without_optics() {
     if (isVisible()) return;
-    std::size_t dark = 0, assumed = 0;
+    qsizetype dark = 0, assumed = 0;
     for (const FixtureGroup& group : without_optics(*app_.show()))
         for (const std::size_t index : group.fixtures)
             ++(can_shine(app_.show()->fixtures[index]) ? assumed : dark);
@@ -156,20 +170,27 @@ void NoticeBar::say_not_opened() {
 
 void NoticeBar::look_at_messages() {
     std::set<std::string> errors;
-    QStringList anew;
+    QStringList anew, ignored;
     for (const Message& message : app_.messages()) {
-        if (message.severity != Severity::error) continue;
+        const bool is_ignored = is_ignored_key(message, *app_.show());
+        if (message.severity != Severity::error && !is_ignored) continue;
         if (errors.insert(message.what).second && !errors_.contains(message.what))
-            anew << shortened(said(message.where + ": " + message.what), kNoticeLetters);
+            (is_ignored ? ignored : anew)
+                << shortened(said(message.where + ": " + message.what), kNoticeLetters);
     }
     errors_ = std::move(errors);
     const bool was_opened = std::exchange(awaits_messages_, false);
     const bool is_edit = app_.opened().is_edit;
+    const bool is_all_ignored = anew.isEmpty();
+    anew += ignored;
     if (anew.isEmpty() || (!is_edit && (!was_opened || isVisible()))) return;
     const QString all = is_edit ? translated("Notice", "Since this edit: %1 (and %2 more)")
-                                : translated("Notice", "Opened, but: %1 (and %2 more)");
-    const QString one =
-        is_edit ? translated("Notice", "Since this edit: %1") : translated("Notice", "Opened, but: %1");
+                        : is_all_ignored
+                            ? translated("Notice", "Opened, but this is ignored: %1 (and %2 more)")
+                            : translated("Notice", "Opened, but: %1 (and %2 more)");
+    const QString one = is_edit          ? translated("Notice", "Since this edit: %1")
+                        : is_all_ignored ? translated("Notice", "Opened, but this is ignored: %1")
+                                         : translated("Notice", "Opened, but: %1");
     const QString words =
         anew.size() == 1 ? one.arg(anew.front()) : all.arg(anew.front()).arg(anew.size() - 1);
     ask(words,
@@ -197,6 +218,32 @@ void NoticeBar::ask(const QString& words, const std::vector<Answer>& answers, Ki
             if (!answer.line.isEmpty()) actions_.choose(answer.line);
         });
     show();
+    place();
+    raise();
+}
+
+// As wide as the picture and as high as its words need there.
+void NoticeBar::place() {
+    const QMargins edge = layout()->contentsMargins();
+    int for_words = parentWidget()->width() - edge.left() - edge.right(), high = 0;
+    const QLabel* words = nullptr;
+    for (QAction* const one : actions()) {
+        const QWidget* const part = widgetForAction(one);
+        if (const auto* const label = qobject_cast<const QLabel*>(part)) {
+            words = label;
+        } else {
+            for_words -= part->sizeHint().width() + std::max(layout()->spacing(), 0);
+            high = std::max(high, part->sizeHint().height());
+        }
+    }
+    if (words)
+        high = std::max(high, words->heightForWidth(std::max(for_words, words->minimumSizeHint().width())));
+    setGeometry(0, 0, parentWidget()->width(), high + edge.top() + edge.bottom());
+}
+
+bool NoticeBar::eventFilter(QObject* object, QEvent* event) {
+    if (event->type() == QEvent::Resize && isVisible()) place();
+    return QToolBar::eventFilter(object, event);
 }
 
 } // namespace ghost::ui

@@ -12,6 +12,16 @@ namespace {
 
 constexpr int kStep_px = 60, kAsBefore_px = 24, kLook_ms = 30;
 
+// As windows, in letters and lines: all columns of their lists, or rows with long sliders, are seen.
+constexpr struct {
+    const char* name;
+    int letters, lines;
+} kLeastSizes[] = {
+    {"fixtures", 80, 36}, {"values", 80, 40},    {"programmer", 56, 44}, {"scene", 56, 36},
+    {"network", 140, 32}, {"messages", 110, 20}, {"looks", 56, 30},      {"cues", 120, 28},
+    {"export", 60, 30},   {"air", 60, 36},       {"plot", 80, 40},       {"browsers", 60, 30},
+};
+
 } // namespace
 
 TearOff::TearOff(QDockWidget& panel) : QObject(&panel), panel_(panel) {
@@ -53,8 +63,23 @@ void TearOff::step_aside() {
         return;
     }
     const QRect docked(panel_.parentWidget()->mapToGlobal(docked_.topLeft()), docked_.size());
-    if ((panel_.pos() - docked.topLeft()).manhattanLength() > kAsBefore_px) return; // a hand put it there
-    panel_.setGeometry(beside(docked, panel_.screen()->availableGeometry()));
+    const QRect display = panel_.screen()->availableGeometry();
+    const QSize size = docked.size().expandedTo(least());
+    if ((panel_.pos() - docked.topLeft()).manhattanLength() > kAsBefore_px) { // a hand put it there
+        if (panel_.size() == docked.size()) // as Qt makes it, not as somebody had it before
+            panel_.resize(size.boundedTo(QSize(std::max(display.right() - panel_.x(), docked.width()),
+                                               std::max(display.bottom() - panel_.y(), docked.height()))));
+        return;
+    }
+    panel_.setGeometry(beside(QRect(docked.topLeft(), size), display));
+}
+
+QSize TearOff::least() const {
+    const QFontMetrics metrics = panel_.fontMetrics();
+    for (const auto& [name, letters, lines] : kLeastSizes)
+        if (panel_.objectName() == name)
+            return {letters * metrics.averageCharWidth(), lines * metrics.lineSpacing()};
+    return {};
 }
 
 } // namespace ghost::ui

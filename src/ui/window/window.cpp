@@ -55,7 +55,6 @@
 #include <QStatusBar>
 
 #include <algorithm>
-#include <filesystem>
 #include <set>
 #include <utility>
 
@@ -64,7 +63,6 @@ namespace {
 
 constexpr int kLayoutVersion = 3;        // another number: a layout of an older program is not taken
 constexpr int kTwoColumnsFrom_px = 2200; // of the window; a narrower one has all panels at its left
-constexpr double kDemoBegins_s = 55;     // its first eight seconds are dark
 
 } // namespace
 
@@ -176,8 +174,7 @@ Window::Window(Link& link, const WindowOptions& options)
     addToolBarBreak(Qt::BottomToolBarArea); // the later one lies above
     addToolBar(Qt::BottomToolBarArea, strip_);
     strip_->hide();
-    notice_ = new NoticeBar(actions_, document_, app_, this);
-    addToolBar(Qt::TopToolBarArea, notice_);
+    notice_ = new NoticeBar(actions_, document_, app_, view_);
     fixtures_->complain = edit_refused;
     connect(&document_, &ShowDocument::changed, this, &Window::show_title);
     connect(&document_, &ShowDocument::fixtures_renamed, &looks_, &Looks::rename_fixtures);
@@ -188,7 +185,7 @@ Window::Window(Link& link, const WindowOptions& options)
         plot_is_new_ = !app_.opened().again && !app_.show()->plot_file.empty();
         rail_->wait_for_show(false);
         if (!isFullScreen()) transport_->show();
-        begin_where_there_is_light();
+        begin_where_show_says();
         view_->setFocus();
         if (!options_.remembers || !QSettings().contains("layout version"))
             say(options_.takes_desk && app_.request().input == Input::automatic
@@ -253,6 +250,7 @@ Window::Window(Link& link, const WindowOptions& options)
         resize(asked); // while panels changed places they needed more
     }
     new Welcome(actions_, app_, recent_, !options_.demo.empty(), view_);
+    notice_->raise();
     connect(rail_, &PanelRail::came_back, this, [this] {
         if (has_first_layout_) share_columns();
     });
@@ -438,14 +436,14 @@ void Window::share_columns() {
     }
 }
 
-void Window::begin_where_there_is_light() {
-    std::error_code code;
-    if (!app_.opened().again && !options_.demo.empty() &&
-        std::filesystem::equivalent(app_.show()->folder, options_.demo, code))
-        app_.change_request([](ViewRequest& request) {
-            ++request.transport.seeks;
-            request.transport.at_s = kDemoBegins_s;
-        });
+// One that plays already stays where it is.
+void Window::begin_where_show_says() {
+    const double begin_s = app_.show()->begin_s;
+    if (app_.opened().again || begin_s <= 0) return;
+    app_.change_request([&](ViewRequest& request) {
+        ++request.transport.seeks;
+        request.transport.at_s = begin_s;
+    });
 }
 
 // By itself where something is lost, dark or guessed that a designer should know of; in its place among the

@@ -66,7 +66,7 @@ private:
     bool asks_to_close();
     void lay_out();
     void share_columns();
-    void begin_where_there_is_light();
+    void begin_where_show_says();
     void say_done(const Action& action, bool made_step);
     void say_hand_taken();
     // Over the picture, too, where it was an edit; helps: an action that lets it be done.

@@ -27,8 +27,8 @@ DESK_MISTAKES = [
      ["universe 17", "the show wants universe 1"]),
     ("ola_priority", "OLA is the main desk, and its priority is 90", desk(ola("e131", priority=90), send=[sacn(name="House")]), "low_priority",
      ["'OLA Server' (10.93.0.1) (priority 90)", "'House' (10.93.0.1) (priority 100)"]),
-    ("ola_blackout", "OLA: the blackout: the dimmer is at 0", desk(ola("e131", levels=BLACK)), "explain:dimmer", ["channel 1 (1.1) is at 0"]),
-    ("ola_one_address_off", "OLA: the patch is one address off", desk(ola("e131", levels=SHIFTED)), "explain:dimmer", ["channel 1 (1.1) is at 0"]),
+    ("ola_blackout", "OLA: the blackout: the dimmer is at 0", desk(ola("e131", levels=BLACK)), "explain:dimmer", ["channel 1 (1.001) is at 0"]),
+    ("ola_one_address_off", "OLA: the patch is one address off", desk(ola("e131", levels=SHIFTED)), "explain:dimmer", ["channel 1 (1.001) is at 0"]),
     ("qlc_no_output", "QLC+: the universe has no output", desk(qlc("")), "nothing_arrives", ["desk's output on"]),
     ("qlc_loopback", "QLC+: the output is that of 127.0.0.1", desk(qlc("E1.31", card="127.0.0.1", multicast=1, universe=1)), "nothing_arrives",
      ["is it in this network"]),
@@ -45,9 +45,9 @@ DESK_MISTAKES = [
      ["Q Light Controller Plus", "(priority 50)", "'OLA Server' (10.93.0.1) (priority 100)"]),
     ("qlc_and_ola", "QLC+ and OLA send different looks", desk(qlc("E1.31", levels=OTHER_LOOK, multicast=1, universe=1), OLA_SACN), "two_desks",
      ["Q Light Controller Plus", "'OLA Server'", "HTP"]),
-    ("qlc_not_started", "QLC+: its show is not started", desk(qlc("E1.31", plays=False, multicast=1, universe=1)), "explain:dimmer", ["channel 1 (1.1) is at 0"]),
+    ("qlc_not_started", "QLC+: its show is not started", desk(qlc("E1.31", plays=False, multicast=1, universe=1)), "explain:dimmer", ["channel 1 (1.001) is at 0"]),
     ("qlc_one_address_off", "QLC+: the patch is one address off", desk(qlc("E1.31", levels=SHIFTED, multicast=1, universe=1)), "explain:dimmer",
-     ["channel 1 (1.1) is at 0"]),
+     ["channel 1 (1.001) is at 0"]),
 ]
 
 DESK_WELL = [

@@ -130,10 +130,10 @@ TEST_F(Language, SoAreTheSentencesThatItIsMadeOf) {
 TEST_F(Language, SoIsWhoOverridesWhom) {
     EXPECT_EQ(
         in_german("'House' (sACN, 10.0.0.3, priority 150) overrides 'FOH' (sACN, 10.0.0.2, priority 100 for "
-                  "this address), which would light it: on channel 1 (1.1) it sends 0 instead of 255"),
+                  "this address), which would light it: on channel 1 (1.001) it sends 0 instead of 255"),
         "'House' (sACN, 10.0.0.3, Priorität 150) geht 'FOH' (sACN, 10.0.0.2, für diese Adresse Priorität "
         "100) "
-        "vor, das es leuchten ließe: auf Kanal 1 (1.1) sendet es 0 statt 255");
+        "vor, das es leuchten ließe: auf Kanal 1 (1.001) sendet es 0 statt 255");
 }
 
 // What is said of mistakes is put together from parts in rooms without Qt, whose patterns stand in lists of

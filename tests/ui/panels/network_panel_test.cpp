@@ -42,8 +42,10 @@ TEST(NetworkPanel, however_much_is_wrong_the_levels_are_in_sight) {
     settle();
     const auto* grid = panel->findChild<UniverseGrid*>();
     const auto is_in_sight = [&] {
+        const QWidget* const seen = grid->parentWidget(); // as much as there is room for
         return area.viewport()->rect().contains(
-            QRect(grid->mapTo(area.viewport(), QPoint(0, 0)), grid->size()));
+                   QRect(seen->mapTo(area.viewport(), QPoint(0, 0)), seen->size())) &&
+               seen->height() >= 5 * grid->fontMetrics().height();
     };
     EXPECT_TRUE(is_in_sight());
     dmx::Statistics statistics; // nothing arrives, and much is to be said about why
@@ -66,6 +68,27 @@ TEST(NetworkPanel, however_much_is_wrong_the_levels_are_in_sight) {
     EXPECT_GT(label->height(), sentences->height()) << "it is scrolled";
     EXPECT_GE(sentences->height(), 2 * label->fontMetrics().height());
     EXPECT_TRUE(is_in_sight());
+}
+
+TEST(NetworkPanel, every_level_can_be_read_and_those_of_the_selection_are_scrolled_to) {
+    Bench bench;
+    bench.open();
+    QWidget window;
+    Actions actions(window);
+    NetworkPanel panel(bench.app, actions, nullptr);
+    const auto* const grid = panel.findChild<UniverseGrid*>();
+    for (const QSize& size : {QSize(1000, 260), {300, 600}, {1800, 500}}) {
+        panel.resize(size);
+        panel.show();
+        settle();
+        const QFontMetrics letters = grid->fontMetrics();
+        EXPECT_GE(letters.height(), 11);
+        for (const int slot : {0, 255, 511}) {
+            EXPECT_GE(grid->cell(slot).width(), letters.horizontalAdvance("255") + 2) << size.width();
+            EXPECT_GE(grid->cell(slot).height(), letters.height()) << size.width();
+            EXPECT_TRUE(QRectF(grid->rect()).contains(grid->cell(slot))) << size.width();
+        }
+    }
 }
 
 } // namespace

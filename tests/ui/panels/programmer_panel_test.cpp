@@ -403,6 +403,56 @@ TEST(ColourField, a_colour_is_chosen_in_the_panel_itself) {
     EXPECT_GT(heads.app.look().fixtures.at(1).colour->y, heads.app.look().fixtures.at(1).colour->x);
 }
 
+TEST(ColourField, the_white_is_one_number_for_slider_field_and_colour) {
+    Heads heads;
+    heads.app.select({0, 1});
+    auto* const row = heads.panel.findChild<ColourRow*>();
+    row->findChild<QPushButton*>()->click();
+    settle();
+    auto* const white = row->findChild<ValueRow*>();
+    auto* const field = white->findChild<MixedSpinBox*>();
+    auto* const slider = white->findChild<QSlider*>();
+    slider->setValue(250); // a quarter of 2000 to 10000 K
+    settle();
+    EXPECT_EQ(field->text(), "4000 K");
+    field->setValue(6000);
+    settle();
+    EXPECT_EQ(slider->value(), 500);
+    EXPECT_EQ(field->text(), "6000 K");
+    heads.app.undo_stack().undo();
+    settle();
+    EXPECT_NE(field->text(), "6000 K") << "undone";
+    for (QToolButton* const one : row->findChildren<QToolButton*>())
+        if (one->accessibleName() == "Red") one->click();
+    settle();
+    EXPECT_EQ(field->text(), "\u2013") << "red is no white";
+    // The number that stood there before, typed.
+    field->setFocus();
+    field->selectAll();
+    for (const auto& [key, text] :
+         {std::pair{Qt::Key_6, "6"}, {Qt::Key_0, "0"}, {Qt::Key_0, "0"}, {Qt::Key_0, "0"}}) {
+        QKeyEvent event(QEvent::KeyPress, key, Qt::NoModifier, text);
+        QCoreApplication::sendEvent(field, &event);
+    }
+    QKeyEvent enter(QEvent::KeyPress, Qt::Key_Return, Qt::NoModifier);
+    QCoreApplication::sendEvent(field, &enter);
+    settle();
+    EXPECT_EQ(field->text(), "6000 K");
+    EXPECT_EQ(slider->value(), 500);
+    EXPECT_GT(heads.app.look().fixtures.at(1).colour->z, 0.3f) << "and it is white";
+}
+
+TEST(ProgrammerPanel, sliders_are_long_enough_for_a_hand_in_every_column) {
+    Heads heads;
+    heads.app.select({0, 1});
+    for (const int width : {235, 261, 275, 330, 400}) {
+        heads.panel.resize(width, 900);
+        settle();
+        for (const QSlider* const one : heads.panel.findChildren<QSlider*>())
+            EXPECT_GE(one->width(), 80) << one->accessibleName().toStdString() << " at " << width;
+    }
+}
+
 TEST(ColourField, the_gel_is_that_of_the_colour_that_is_there_or_none) {
     Heads heads;
     heads.app.select({0, 1});

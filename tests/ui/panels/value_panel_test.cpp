@@ -6,21 +6,6 @@
 namespace ghost::ui {
 namespace {
 
-QString address_of(const char* addresses) {
-    scene::Explanation explanation;
-    explanation.channels.emplace_back();
-    explanation.channels.back().addresses = addresses;
-    ChannelModel model(nullptr);
-    model.show(explanation, {});
-    return model.data(model.index(0, ChannelModel::address), Qt::DisplayRole).toString();
-}
-
-TEST(ValuePanel, addresses_are_those_of_the_list_of_fixtures_and_name_their_universe_once) {
-    EXPECT_EQ(address_of("1.23"), "1.023");
-    EXPECT_EQ(address_of("1.24-1.25"), "1.024-025");
-    EXPECT_EQ(address_of("1.512-2.1"), "1.512-2.001");
-}
-
 // As it is beside the picture of a window of 1366 or 2560 pixels.
 TEST(ValuePanel, a_narrow_one_shows_what_a_channel_means_before_its_address) {
     Bench bench;

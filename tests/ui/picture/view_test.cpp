@@ -91,7 +91,7 @@ TEST(View, the_sentence_about_a_head_is_asked_for_where_the_mouse_rests_and_seen
     Explained explained;
     explained.fixture = 1;
     explained.explanation.verdict =
-        "dark: its shutter is closed, for the function 'Closed' (DMX 3-5) is active on channel 11 (1.55)";
+        "dark: its shutter is closed, for the function 'Closed' (DMX 3-5) is active on channel 11 (1.055)";
     watched.bench.link.hovered.put(explained);
     watched.bench.link.on_news();
     settle();
@@ -320,6 +320,29 @@ TEST(View, overlays_are_seen_and_go_away) {
     EXPECT_EQ(watched.view.grab().toImage(), plain);
     watched.bench.app.select({0});
     EXPECT_NE(watched.view.grab().toImage(), plain);
+}
+
+TEST(View, latency_says_nothing_of_packets_while_time_stands_still) {
+    Watched watched;
+    const auto show_one_of = [&](std::chrono::seconds age) {
+        Picture picture = watched.bench.app.picture();
+        picture.arrival = std::chrono::steady_clock::now().time_since_epoch() - age;
+        watched.bench.link.picture.put(std::move(picture));
+        watched.bench.link.on_news();
+        settle();
+        (void)watched.view.grab();
+    };
+    const auto words = [&] { return watched.view.figures().lines().join('\n'); };
+    show_one_of(std::chrono::seconds(1));
+    EXPECT_TRUE(words().contains("packet to window 1")) << words().toStdString();
+    watched.bench.app.change_request([](ViewRequest& request) { request.frozen = true; });
+    show_one_of(std::chrono::seconds(9));
+    EXPECT_TRUE(words().contains("frozen")) << words().toStdString();
+    EXPECT_FALSE(words().contains("packet to window 1"));
+    EXPECT_EQ(watched.bench.app.latency().count(), 1u);
+    watched.bench.app.change_request([](ViewRequest& request) { request.frozen = false; });
+    show_one_of(std::chrono::seconds(2));
+    EXPECT_TRUE(words().contains("packet to window 2")) << words().toStdString();
 }
 
 TEST(View, figures_say_the_pace_while_it_moves_and_rest_when_it_does_not) {

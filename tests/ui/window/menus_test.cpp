@@ -14,6 +14,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
+#include <QLocalServer>
 #include <QMenuBar>
 #include <QMouseEvent>
 #include <QPushButton>
@@ -23,6 +24,7 @@
 #include <QTextBrowser>
 #include <QToolButton>
 
+#include <filesystem>
 #include <map>
 
 namespace ghost::ui {
@@ -408,13 +410,6 @@ TEST(FirstScreen, three_ways_to_a_show_and_no_panels_until_one_is_there) {
     in.open();
     EXPECT_FALSE(welcome->isVisible());
     EXPECT_TRUE(in.window.findChild<QDockWidget*>("fixtures")->isVisible());
-    EXPECT_EQ(in.window.app().request().transport.seeks, 0u) << "not the demo";
-    Opened demo = four_lamps();
-    auto show = std::make_shared<scene::Show>(*demo.show);
-    show->folder = "assets/demo";
-    demo.show = show;
-    in.open(std::move(demo));
-    EXPECT_EQ(in.window.app().request().transport.at_s, 55);
 }
 
 TEST(FirstScreen, shows_of_the_last_time_are_there_the_next_time_with_their_pictures) {
@@ -521,6 +516,54 @@ TEST(InputChoice, another_show_begins_with_the_automatic_one) {
     EXPECT_EQ(in.window.app().request().input, Input::recording);
     in.open();
     EXPECT_EQ(in.window.app().request().input, Input::automatic);
+}
+
+TEST(Begin, a_show_plays_from_where_its_file_says_wherever_it_lies) {
+    Link link;
+    Window window(link, WindowOptions{.remembers = false, .width = 900, .height = 600});
+    const auto open = [&](double begin_s, bool again) {
+        Opened opened = four_lamps();
+        auto show = std::make_shared<scene::Show>(*opened.show);
+        show->begin_s = begin_s;
+        opened.show = show;
+        opened.again = again;
+        link.opened.put(std::move(opened));
+        link.on_news();
+        settle();
+        return window.app().request().transport;
+    };
+    const Transport begun = open(12.5, false);
+    EXPECT_EQ(begun.at_s, 12.5);
+    EXPECT_EQ(begun.seeks, 1u);
+    EXPECT_EQ(open(20, true), begun) << "it plays already";
+    EXPECT_EQ(open(0, false), Transport()) << "another one, from its beginning";
+}
+
+TEST(Socket, one_that_cannot_be_made_says_why_and_what_a_killed_window_left_is_none) {
+    InWindow in;
+    QTemporaryDir folder;
+    RemoteControl remote(in.window.actions(), in.window.app(), nullptr);
+    const auto why_not = [&](const QString& name) {
+        const Result<void> made = remote.listen(name);
+        return made.ok() ? std::string() : made.error().text();
+    };
+    EXPECT_NE(why_not("/nowhere/at/all").find("there is no folder /nowhere/at"), std::string::npos)
+        << why_not("/nowhere/at/all");
+    EXPECT_NE(why_not(folder.filePath(QString(200, 'a'))).find("bytes, expected at most 107"),
+              std::string::npos);
+    const QString file = folder.filePath("notes.txt");
+    ASSERT_TRUE(write_file_atomic(file.toStdString(), "mine").ok());
+    EXPECT_NE(why_not(file).find("a file has that name"), std::string::npos) << why_not(file);
+    EXPECT_EQ(*read_text_file(file.toStdString(), 100), "mine");
+    const QString taken = folder.filePath("taken"), left = folder.filePath("left");
+    {
+        QLocalServer other;
+        ASSERT_TRUE(other.listen(taken));
+        EXPECT_NE(why_not(taken).find("another window listens there"), std::string::npos) << why_not(taken);
+        std::filesystem::create_hard_link(taken.toStdString(), left.toStdString());
+    }
+    // A window that was killed leaves one behind that nobody serves.
+    EXPECT_EQ(why_not(left), "");
 }
 
 TEST(Socket, a_folder_of_that_name_is_said) {

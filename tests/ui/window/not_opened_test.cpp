@@ -7,7 +7,9 @@
 #include "ui/window/private/notice_bar.h"
 #include "ui/window/window.h"
 
+#include <QDockWidget>
 #include <QLabel>
+#include <QMouseEvent>
 #include <QTemporaryDir>
 #include <QTreeWidget>
 
@@ -103,7 +105,72 @@ TEST(NotOpened, a_show_that_fails_beside_an_open_one_is_said_in_the_bar_and_stay
     EXPECT_FALSE(failing.first_message().contains("quotation mark"));
 }
 
-// A bar that is higher than its words pushes all panels down, and up again.
+// A mistyped key would else be found by who looks into Messages.
+TEST(NotOpened, a_key_of_the_show_file_that_is_ignored_is_said_and_other_warnings_are_not) {
+    Failing failing;
+    const auto open_with = [&](const std::string& where, const std::string& what) {
+        failing.window.app().open("show " + what);
+        failing.open_one();
+        failing.link.messages.put({{Severity::warning, where, what}});
+        failing.link.on_news();
+        settle();
+    };
+    open_with("test/show.toml:12", "fixture 'a' is not patched");
+    EXPECT_FALSE(failing.bar->isVisible()) << "many a show has such";
+    open_with("Spot.gdtf: description.xml", "unknown key 'x'");
+    EXPECT_FALSE(failing.bar->isVisible()) << "of somebody else's file";
+    open_with("test/show.toml:14", "[[camera]] unknown key 'fov_x', did you mean 'fov_y_deg'?");
+    EXPECT_TRUE(failing.bar->isVisible());
+    EXPECT_TRUE(failing.words_of_bar().contains("ignored")) << failing.words_of_bar().toStdString();
+    EXPECT_TRUE(failing.words_of_bar().contains("show.toml:14: [[camera]] unknown key 'fov_x'"));
+    EXPECT_TRUE(failing.bar->styleSheet().isEmpty()) << "no fault";
+    ASSERT_TRUE(failing.button("All messages"));
+    failing.button("Close")->trigger();
+    settle();
+    EXPECT_FALSE(failing.bar->isVisible());
+}
+
+TEST(NotOpened, the_bar_lies_on_the_picture_and_moves_nothing) {
+    Failing failing;
+    failing.open_one();
+    failing.window.resize(1366, 768);
+    settle();
+    const QWidget& picture = *failing.window.centralWidget();
+    const QRect before = picture.geometry();
+    const auto panels = [&] {
+        QList<QRect> all;
+        for (const QDockWidget* const one : failing.window.findChildren<QDockWidget*>())
+            all << one->geometry();
+        return all;
+    };
+    const QList<QRect> panels_before = panels();
+    failing.fail(
+        {"is not TOML: a quotation mark is missing, and this goes on for more than one line in a narrow "
+         "place, as what is said of a file does now and then, so that it has to be wrapped somewhere",
+         "/nowhere/show.toml:6"});
+    ASSERT_TRUE(failing.bar->isVisible());
+    EXPECT_EQ(picture.geometry(), before);
+    EXPECT_EQ(panels(), panels_before);
+    EXPECT_EQ(failing.bar->parentWidget(), &picture);
+    EXPECT_EQ(failing.bar->width(), picture.width());
+    failing.window.actions().choose("panel-network on");
+    failing.window.resize(1000, 700);
+    settle();
+    EXPECT_EQ(failing.bar->width(), picture.width()) << "it goes with it";
+    // A drag on it does not turn the picture.
+    const scene::Camera camera = failing.window.app().camera();
+    const QPointF from(20, 5);
+    for (const auto& [type, at] : {std::pair{QEvent::MouseButtonPress, from},
+                                   {QEvent::MouseMove, from + QPointF(80, 0)},
+                                   {QEvent::MouseButtonRelease, from + QPointF(80, 0)}}) {
+        QMouseEvent event(type, at, failing.bar->mapToGlobal(at), Qt::LeftButton, Qt::LeftButton,
+                          Qt::NoModifier);
+        QCoreApplication::sendEvent(failing.bar, &event);
+    }
+    EXPECT_EQ(failing.window.app().camera().position_m, camera.position_m);
+}
+
+// A bar that is higher than its words hides more of the picture.
 TEST(NotOpened, the_bar_is_no_higher_than_its_words_need) {
     Failing failing;
     failing.open_one();

@@ -166,5 +166,25 @@ TEST(PanelRail, full_screen_is_without_it_and_gives_it_back) {
     EXPECT_EQ(in.panels(), QStringList{"looks"});
 }
 
+TEST(FullScreen, esc_leaves_it_when_there_is_nothing_else_to_let_go_of) {
+    Sized in({1366, 768});
+    in.run("select *");
+    in.run("full-screen on");
+    const auto esc = [&] {
+        in.window.actions().item("select-none")->trigger();
+        settle();
+    };
+    esc();
+    EXPECT_TRUE(in.window.isFullScreen()) << "the selection first";
+    EXPECT_TRUE(in.window.app().selection().empty());
+    in.run("select-none");
+    EXPECT_TRUE(in.window.isFullScreen()) << "a script asks for nothing but what it says";
+    esc();
+    EXPECT_FALSE(in.window.isFullScreen());
+    EXPECT_EQ(in.panels(), (QStringList{"fixtures", "programmer"}));
+    esc();
+    EXPECT_FALSE(in.window.isFullScreen()) << "and does not come back to it";
+}
+
 } // namespace
 } // namespace ghost::ui

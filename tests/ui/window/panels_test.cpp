@@ -8,9 +8,11 @@
 #include <QAbstractButton>
 #include <QComboBox>
 #include <QDockWidget>
+#include <QHeaderView>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QTabBar>
+#include <QTableWidget>
 
 namespace ghost::ui {
 namespace {
@@ -173,6 +175,22 @@ TEST(TearOff, a_panel_that_is_torn_off_does_not_cover_its_place) {
         wait_ms(150);
         EXPECT_EQ(panel.pos(), QPoint(300, 200));
     }
+}
+
+TEST(TearOff, a_panel_is_as_large_as_what_is_in_it_needs) {
+    Panels in(1280, 900);
+    in.window.resize(1366, 800);
+    in.open();
+    in.choose("panel-cues on");
+    QDockWidget& panel = in.panel("cues");
+    const QSize docked = panel.size();
+    panel.setFloating(true);
+    wait_ms(150);
+    const auto* const table = panel.findChild<QTableWidget*>();
+    EXPECT_GE(table->viewport()->width(), table->horizontalHeader()->length()) << "all columns are seen";
+    EXPECT_GE(table->viewport()->height(), 6 * table->verticalHeader()->defaultSectionSize());
+    EXPECT_GT(panel.width(), docked.width());
+    EXPECT_TRUE(panel.screen()->availableGeometry().contains(panel.geometry()));
 }
 
 TEST(TearOff, panels_that_are_put_back_are_the_front_ones_of_their_tabs) {

@@ -1,7 +1,8 @@
 #pragma once
 // SPDX-License-Identifier: Apache-2.0
-// NoticeBar: a line over the picture that says what waits for a decision about the show file, or that a show
-// could not be opened (red), with a button for each way. Nobody has to answer it. Window thread.
+// NoticeBar: a line that lies on the top of the picture, so that nothing makes room for it, and says what
+// waits for a decision about the show file, or that a show could not be opened (red), with a button for each
+// way. Nobody has to answer it. Window thread.
 
 #include "ui/actions/actions.h"
 #include "ui/model/show_document.h"
@@ -16,15 +17,21 @@ namespace ghost::ui {
 class NoticeBar : public QToolBar {
     Q_OBJECT
 public:
-    NoticeBar(Actions& actions, ShowDocument& document, AppModel& app, QWidget* parent);
+    // over: the picture.
+    NoticeBar(Actions& actions, ShowDocument& document, AppModel& app, QWidget* over);
     // What was refused, until something is done or it is closed, with a button of the action that helps.
     // False: something else waits for an answer.
     bool say_refused(const QString& what, const QString& helps = {});
     void forget_refused();
     QString words() const { return isVisible() ? words_ : QString(); }
 
+protected:
+    bool eventFilter(QObject* object, QEvent* event) override;
+
 private:
-    // Errors that an edit brought with it, or that a show was opened with, as a stage that cannot be read.
+    void place();
+    // Errors that an edit brought with it, or that a show was opened with, as a stage that cannot be read,
+    // and what the show file says and is ignored.
     void look_at_messages();
     enum class Kind { question, fault };
     struct Answer {

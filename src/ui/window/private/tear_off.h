@@ -1,8 +1,9 @@
 #pragma once
 // SPDX-License-Identifier: Apache-2.0
 // TearOff: a panel that is torn off stands a step beside the place that it had, inside of the display, so
-// that one sees that it is a window now; where a hand drags it, it stays where it was put. Put back it is the
-// front one of its tabs. Lives as long as the panel. Window thread.
+// that one sees that it is a window now, as large as what is in it needs, for a column is narrow; where a
+// hand drags it, it stays where it was put. Put back it is the front one of its tabs. Lives as long as the
+// panel. Window thread.
 
 #include <QDockWidget>
 #include <QTimer>
@@ -22,6 +23,7 @@ protected:
 
 private:
     void step_aside();
+    QSize least() const; // as a window
 
     QDockWidget& panel_;
     QRect docked_; // where it was last, in its window
