@@ -295,8 +295,6 @@ const BounceSolution& BounceSolver::solve(const std::vector<shared::Light>& ligh
     const std::size_t cells = bounce_.fine.cells.size() * kBounceBins;
     solution_.flux.assign(total.begin(), total.begin() + static_cast<std::ptrdiff_t>(cells));
     solution_.lux.assign(total.begin() + static_cast<std::ptrdiff_t>(cells), total.end());
-    send_on(total, sent_);
-    solution_.glow.assign(sent_.begin(), sent_.begin() + static_cast<std::ptrdiff_t>(cells));
     return solution_;
 }
 

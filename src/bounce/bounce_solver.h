@@ -30,9 +30,6 @@ struct BounceSolution {
     std::vector<BouncePower> orders; // 0: straight from the lamps; then those that were solved
     double sent_lm = 0;
     glm::dvec3 first_lm{0}; // by channel, what leaves after the light of the lamps has landed
-
-    // What a cell sends in each bin, cd/m^2 for a metre.
-    std::vector<glm::vec4> glow;
 };
 
 // Of light that arrives, what surfaces and haze keep: lumens by channel. Of a whole solution at most its

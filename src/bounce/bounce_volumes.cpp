@@ -10,7 +10,6 @@ namespace {
 using glm::vec4;
 
 constexpr std::size_t kSides = 6;
-constexpr float kLeastCosine = 0.55f; // of bins that an eye sees
 constexpr float kMostLight = 65000;   // of a half float
 constexpr float kLeastKnown = 0.05f;  // of what falls on a surface, by weight
 
@@ -102,24 +101,22 @@ void fill_lux(const Bounce& bounce, const BounceSolution& solution, BounceVolume
     pack(cells, sums, volumes.air);
 }
 
-void fill_glow(const Bounce& bounce, const BounceSolution& solution, const glm::vec3& eye_m,
-               BounceVolumes& volumes) {
+void fill_glow(const Bounce& bounce, const BounceAir& air, const BounceSolution& solution,
+               const glm::vec3& eye_m, BounceVolumes& volumes) {
     const glm::ivec3 cells = bounce.grid.voxels(kSubsOfCell);
     std::vector<vec4> sums(count_of(cells), vec4(0));
     for (std::size_t k = 0; k < bounce.fine.cells.size(); ++k) {
         const BounceCell& cell = bounce.fine.cells[k];
         const glm::vec3 away = eye_m - cell.centre_m;
         const float distance = glm::length(away);
-        const glm::vec3 way = distance > 1e-3f ? away / distance : glm::vec3(0, 0, 1);
+        // What of each bin haze turns this way is what it turns of this way into the bin.
+        const std::array<float, kBounceBins> of_bins =
+            air.into_bins(distance > 1e-3f ? away / distance : glm::vec3(0, 0, 1));
         vec4 glow(0);
-        float weight = 0;
-        for (std::size_t bin = 0; bin < kBounceBins; ++bin) {
-            const float over = glm::dot(way, bounce_directions()[bin]) - kLeastCosine;
-            if (over <= 0) continue;
-            glow += solution.glow[k * kBounceBins + bin] * (over * over);
-            weight += over * over;
-        }
-        if (weight > 0) sums[cell.voxel] += vec4(glm::vec3(glow) * (cell.volume_m3 / weight), cell.volume_m3);
+        for (std::size_t bin = 0; bin < kBounceBins; ++bin)
+            glow += solution.flux[k * kBounceBins + bin] * of_bins[bin];
+        sums[cell.voxel] +=
+            vec4(glm::vec3(glow) * (cell.volume_m3 * air.scattering_per_m), cell.volume_m3);
     }
     pack(cells, sums, volumes.glow);
 }

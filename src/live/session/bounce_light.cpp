@@ -260,7 +260,7 @@ void BounceLight::run() {
             const scene::BounceSolution& solution = solver.solve(wanted.lights, of_lights, gobos_, passes_);
             auto volumes = std::make_shared<scene::BounceVolumes>();
             fill_lux(bounce_, solution, *volumes);
-            fill_glow(bounce_, solution, wanted.eye_m, *volumes);
+            fill_glow(bounce_, solver.air(), solution, wanted.eye_m, *volumes);
             volumes->extinction_per_m = solver.air().extinction_per_m;
             solve_ms_ = 1e3 * (steady_now_s() - begin_s);
             const std::lock_guard lock(mutex_);

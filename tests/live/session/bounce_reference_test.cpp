@@ -84,7 +84,7 @@ TEST_P(BounceReference, TheSolverSeesIt) {
     const scene::BounceSolution& solution = solver.solve({scene.light}, {&sight}, scene.gobos, 3);
     scene::BounceVolumes volumes;
     fill_lux(*bounce, solution, volumes);
-    fill_glow(*bounce, solution, scene.camera.position_m, volumes);
+    fill_glow(*bounce, solver.air(), solution, scene.camera.position_m, volumes);
 
     std::vector<shared::Light> lights{scene.light};
     const scene::DistanceMaps maps = trace_maps(tracer, lights, kMapSize);
