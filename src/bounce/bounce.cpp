@@ -9,40 +9,51 @@ namespace ghost::scene {
 const std::array<glm::vec3, kBounceBins>& bounce_directions() {
     static const std::array<glm::vec3, kBounceBins> all = [] {
         std::array<glm::vec3, kBounceBins> directions{};
-        for (std::size_t k = 0; k < 6; ++k)
-            directions[k][static_cast<glm::length_t>(k / 2)] = k % 2 == 0 ? 1.0f : -1.0f;
-        const float part = std::sqrt(1.0f / 3.0f);
-        for (std::size_t k = 0; k < 8; ++k)
-            directions[6 + k] = {(k & 1) != 0 ? -part : part, (k & 2) != 0 ? -part : part,
-                                 (k & 4) != 0 ? -part : part};
+        std::size_t count = 0;
+        for (int axes = 1; axes <= 3; ++axes) // faces, edges, corners
+            for (int k = 14; k < 27; ++k) {   // of two that are opposite the latter in their order
+                const glm::vec3 way(k % 3 - 1, k / 3 % 3 - 1, k / 9 - 1);
+                if (std::lround(glm::dot(way, way)) != axes) continue;
+                directions[count++] = glm::normalize(way);
+                directions[count++] = -glm::normalize(way);
+            }
         return directions;
     }();
     return all;
 }
 
 std::size_t bounce_bin(const glm::vec3& way) {
-    const glm::vec3 size = glm::abs(way);
-    const std::size_t axis = size.x > size.y ? (size.x > size.z ? 0 : 2) : (size.y > size.z ? 1 : 2);
-    const float corner = (size.x + size.y + size.z) * 0.57735027f;
-    const auto k = static_cast<glm::length_t>(axis);
-    if (size[k] >= corner) return 2 * axis + (way[k] < 0 ? 1 : 0);
-    return 6 + (way.x < 0 ? 1u : 0u) + (way.y < 0 ? 2u : 0u) + (way.z < 0 ? 4u : 0u);
+    const std::array<glm::vec3, kBounceBins>& all = bounce_directions();
+    std::size_t nearest = 0;
+    float best = -2;
+    for (std::size_t k = 0; k < kBounceBins; k += 2) {
+        const float cosine = glm::dot(way, all[k]);
+        if (std::abs(cosine) <= best) continue;
+        best = std::abs(cosine);
+        nearest = cosine < 0 ? k + 1 : k;
+    }
+    return nearest;
 }
 
 float bounce_steradians(std::size_t bin) {
-    // Of all directions, six faces have as many as are nearer to an axis than to a diagonal.
-    static const float face = [] {
+    // Fractions of a face of the cube, all of whose directions are looked at.
+    static const std::array<float, kBounceKinds> of_kinds = [] {
         constexpr int kSide = 512;
-        double sum = 0;
+        std::array<double, kBounceKinds> sums{};
         for (int y = 0; y < kSide; ++y)
             for (int x = 0; x < kSide; ++x) {
-                const double u = (x + 0.5) / kSide, v = (y + 0.5) / kSide;
-                if (1.0 >= (1.0 + u + v) * 0.577350269) sum += std::pow(1 + u * u + v * v, -1.5);
+                const float u = 2 * (static_cast<float>(x) + 0.5f) / kSide - 1,
+                            v = 2 * (static_cast<float>(y) + 0.5f) / kSide - 1;
+                sums[bounce_kind(bounce_bin({u, v, 1}))] += std::pow(1.0 + u * u + v * v, -1.5);
             }
-        return static_cast<float>(4 * sum / (kSide * kSide));
+        const double sphere = 6 * (sums[0] + sums[1] + sums[2]);
+        constexpr std::array<double, kBounceKinds> kCounts{6, 12, 8};
+        std::array<float, kBounceKinds> steradians{};
+        for (std::size_t k = 0; k < kBounceKinds; ++k)
+            steradians[k] = static_cast<float>(12.566370614 * 6 * sums[k] / (sphere * kCounts[k]));
+        return steradians;
     }();
-    constexpr float kSphere = 12.5663706f;
-    return bin < 6 ? face : (kSphere - 6 * face) / 8;
+    return of_kinds[bounce_kind(bin)];
 }
 
 std::size_t bounce_side(const glm::vec3& normal) {

@@ -14,12 +14,16 @@
 
 namespace ghost::scene {
 
-// Directions that light in a cell travels in: faces and corners of a cube.
-inline constexpr std::size_t kBounceBins = 14;
+// Directions that light in a cell travels in: faces, edges and corners of a cube; each two are opposite.
+inline constexpr std::size_t kBounceBins = 26;
+inline constexpr std::size_t kBounceKinds = 3; // of bins that look alike
+constexpr std::size_t bounce_kind(std::size_t bin) {
+    return bin < 6 ? 0 : bin < 18 ? 1 : 2;
+}
 const std::array<glm::vec3, kBounceBins>& bounce_directions();
 std::size_t bounce_bin(const glm::vec3& way);
 constexpr std::size_t bounce_reversed(std::size_t bin) { // of light that goes the other way
-    return bin < 6 ? bin ^ 1u : 6 + ((bin - 6) ^ 7u);
+    return bin ^ 1u;
 }
 float bounce_steradians(std::size_t bin);
 // Which of six sides a surface faces: +x, -x, +y ..

@@ -71,8 +71,9 @@ BounceAir bounce_air(const shared::Haze& haze) {
         for (float& fraction : air.scatter[from]) fraction /= sum;
     }
     constexpr int kTurns = 8;
-    for (std::size_t kind = 0; kind < 2; ++kind) {
-        const std::size_t bin = kind == 0 ? 0 : 6;
+    for (std::size_t kind = 0; kind < kBounceKinds; ++kind) {
+        constexpr std::array<std::size_t, kBounceKinds> kFirst{0, 6, 18};
+        const std::size_t bin = kFirst[kind];
         const glm::vec3 middle = bounce_directions()[bin];
         const glm::vec3 aside = glm::normalize(glm::cross(middle, glm::vec3(0.3f, 0.5f, 0.8f)));
         const glm::vec3 other = glm::cross(middle, aside);
@@ -99,7 +100,7 @@ std::array<float, kBounceBins> BounceAir::into_bins(const glm::vec3& way) const 
         const float at =
             glm::clamp((glm::dot(way, bounce_directions()[bin]) + 1) * 0.5f, 0.0f, 1.0f) * (kCosines - 1);
         const auto below = std::min(static_cast<std::size_t>(at), kCosines - 2);
-        const std::array<float, kCosines>& table = phase[bin < 6 ? 0 : 1];
+        const std::array<float, kCosines>& table = phase[bounce_kind(bin)];
         fractions[bin] = glm::mix(table[below], table[below + 1], at - static_cast<float>(below));
         sum += fractions[bin] * bounce_steradians(bin);
     }

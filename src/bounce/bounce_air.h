@@ -20,9 +20,9 @@ struct BounceAir {
     float forward_fraction = 0; // of what is scattered
     // Per steradian, from light in one bin to another; each row sums to 1 over the sphere.
     std::array<std::array<float, kBounceBins>, kBounceBins> scatter{};
-    // Mean phase over a bin by the cosine of a direction to its middle, -1 to 1: faces, corners.
+    // Mean phase over a bin of each kind by the cosine of a direction to its middle, -1 to 1.
     static constexpr std::size_t kCosines = 65;
-    std::array<std::array<float, kCosines>, 2> phase{};
+    std::array<std::array<float, kCosines>, kBounceKinds> phase{};
 
     // Shares per steradian that light of one direction sends into each bin; they sum to 1 over the sphere.
     std::array<float, kBounceBins> into_bins(const glm::vec3& way) const;

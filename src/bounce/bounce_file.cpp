@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr char kMagic[] = "ghostlight bounce 3\n";
+constexpr char kMagic[] = "ghostlight bounce 4\n";
 constexpr std::size_t kVersionAt = sizeof kMagic - 3; // its digit
 constexpr std::uintmax_t kMostBytes = std::uintmax_t{1} << 30;
 constexpr std::size_t kKeyDigits = 32;

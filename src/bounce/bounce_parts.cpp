@@ -13,7 +13,7 @@
 namespace ghost::scene {
 namespace {
 
-constexpr char kPartMagic[] = "ghostlight bounce part 2\n";
+constexpr char kPartMagic[] = "ghostlight bounce part 3\n";
 constexpr std::uintmax_t kMostPartsBytes = std::uintmax_t{256} << 20; // of one set of links
 constexpr const char* kSizePart = "size";
 

@@ -14,6 +14,9 @@ namespace {
 
 using glm::vec4;
 
+using Four = float __attribute__((vector_size(16)));
+static_assert(sizeof(Four) == sizeof(vec4) && kBounceBins % 2 == 0);
+
 constexpr float kPi = 3.14159265f;
 constexpr double kMostRest = 0.95; // of an order that comes back in the next one
 
@@ -194,10 +197,18 @@ void BounceSolver::send_on(const Field& arriving, Field& sent) const {
     for (std::size_t c = 0; c < fine.cells.size(); ++c) {
         const vec4* const from = &arriving[c * kBounceBins];
         vec4* const to = &sent[c * kBounceBins];
-        for (std::size_t b = 0; b < kBounceBins; ++b) {
-            vec4 sum(0);
-            for (std::size_t a = 0; a < kBounceBins; ++a) sum += from[a] * air_.scatter[a][b];
-            to[b] = sum * air_.scattering_per_m;
+        std::array<Four, kBounceBins> came;
+        std::memcpy(came.data(), from, sizeof came);
+        for (std::size_t b = 0; b < kBounceBins; b += 2) { // two sums at once: one waits for each addition
+            Four one{}, other{};
+            for (std::size_t a = 0; a < kBounceBins; ++a) {
+                one += came[a] * air_.scatter[a][b];
+                other += came[a] * air_.scatter[a][b + 1];
+            }
+            one *= air_.scattering_per_m;
+            other *= air_.scattering_per_m;
+            std::memcpy(&to[b], &one, sizeof one);
+            std::memcpy(&to[b + 1], &other, sizeof other);
         }
     }
     for (std::size_t s = 0; s < fine.surfels.size(); ++s)

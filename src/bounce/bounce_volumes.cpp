@@ -10,8 +10,8 @@ namespace {
 using glm::vec4;
 
 constexpr std::size_t kSides = 6;
-constexpr float kMostLight = 65000;   // of a half float
-constexpr float kLeastKnown = 0.05f;  // of what falls on a surface, by weight
+constexpr float kMostLight = 65000;  // of a half float
+constexpr float kLeastKnown = 0.05f; // of what falls on a surface, by weight
 
 std::size_t count_of(const glm::ivec3& size) {
     return static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y) *
@@ -115,8 +115,7 @@ void fill_glow(const Bounce& bounce, const BounceAir& air, const BounceSolution&
         vec4 glow(0);
         for (std::size_t bin = 0; bin < kBounceBins; ++bin)
             glow += solution.flux[k * kBounceBins + bin] * of_bins[bin];
-        sums[cell.voxel] +=
-            vec4(glm::vec3(glow) * (cell.volume_m3 * air.scattering_per_m), cell.volume_m3);
+        sums[cell.voxel] += vec4(glm::vec3(glow) * (cell.volume_m3 * air.scattering_per_m), cell.volume_m3);
     }
     pack(cells, sums, volumes.glow);
 }

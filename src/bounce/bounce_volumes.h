@@ -31,7 +31,7 @@ struct BounceVolumes {
 void fill_lux(const Bounce& bounce, const BounceSolution& solution, BounceVolumes& volumes);
 // Lux on a surface there, linear Rec.2020, as pictures have it (shaders/relight/room_light.comp).
 glm::vec3 lux_on(const BounceVolumes& volumes, const glm::vec3& place_m, const glm::vec3& normal);
-void fill_glow(const Bounce& bounce, const BounceAir& air, const BounceSolution& solution, const glm::vec3& eye_m,
-               BounceVolumes& volumes);
+void fill_glow(const Bounce& bounce, const BounceAir& air, const BounceSolution& solution,
+               const glm::vec3& eye_m, BounceVolumes& volumes);
 
 } // namespace ghost::scene

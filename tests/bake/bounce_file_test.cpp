@@ -27,7 +27,7 @@ TEST(BounceFile, another_version_is_said) {
 }
 
 TEST(BounceFile, another_key_is_no_error_and_damage_is_one) {
-    const std::string head = "ghostlight bounce 3\n";
+    const std::string head = "ghostlight bounce 4\n";
     const auto other = read_bounce(file_of(head + std::string(32, 'b') + std::string(100, 'x')), kKey);
     ASSERT_TRUE(other.ok());
     EXPECT_FALSE(other->has_value());

@@ -8,6 +8,7 @@
 #include "bounce/bounce_volumes.h"
 #include "disk/crc32.h"
 
+#include <algorithm>
 #include <cstdlib>
 #include <string>
 
@@ -30,14 +31,16 @@ void solve(const Bounce& bounce) {
     lamp.intensity_cd = lamp.bounce_cd = glm::vec3(1000);
     LampSight sight;
     sight.position_m = lamp.position_m;
-    const std::size_t texels = kLampSightSize * kLampSightSize;
+    sight.size = kSmallLampSightSize;
+    const std::size_t texels = kSmallLampSightSize * kSmallLampSightSize;
+    sight.albedo.assign(texels, packed_albedo(glm::vec3(0.5f)));
     sight.surfel.assign(texels, bounce.fine.surfels.empty() ? kNoNode : 0);
     sight.distance_m.assign(texels, 0x4000); // 2 m, as a half
     const BounceSolution& solution = solver.solve({lamp}, {&sight}, {});
     if (solution.lux.size() != bounce.fine.surfels.size()) std::abort();
     BounceVolumes volumes;
     fill_lux(bounce, solution, volumes);
-    fill_glow(bounce, solution, {0, -5, 2}, volumes);
+    fill_glow(bounce, solver.air(), solution, {0, -5, 2}, volumes);
     (void)lux_on(volumes, lamp.position_m, {0, 0, 1});
 }
 
@@ -53,16 +56,18 @@ std::vector<std::uint8_t> file_of(const std::string& magic, const std::uint8_t* 
 }
 
 void take_part(const std::uint8_t* data, std::size_t size) {
-    fuzz_file("room.near-0.part", file_of("ghostlight bounce part 2\n", data, size));
+    fuzz_file("room.near-0.part", file_of("ghostlight bounce part 3\n", data, size));
     BounceLevel level;
     level.cells.resize(1);
     level.surfels.resize(1);
     BounceParts parts(fuzz_folder() / "room.bin", fuzz_folder(), kKey);
     std::vector<std::vector<FoundLink>> rows(2);
-    if (!parts.take(level, false, 0, rows)) return;
+    std::vector<float> far_share(level.first_slot(rows.size()));
+    if (!parts.take(level, false, 0, rows, far_share)) return;
     for (const auto& row : rows)
         for (const FoundLink& link : row)
             if (link.receiver >= level.slots() || link.emitter >= level.slots()) std::abort();
+    if (!std::all_of(far_share.begin(), far_share.end(), is_share)) std::abort();
 }
 
 } // namespace
@@ -70,7 +75,7 @@ void take_part(const std::uint8_t* data, std::size_t size) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     take_part(data, size);
     const auto bounce =
-        read_bounce(fuzz_file("room.bin", file_of("ghostlight bounce 3\n", data, size)), kKey);
+        read_bounce(fuzz_file("room.bin", file_of("ghostlight bounce 4\n", data, size)), kKey);
     if (!bounce.ok() || !*bounce) return 0;
     solve(**bounce);
     const std::filesystem::path copy = fuzz_folder() / "again.bin";

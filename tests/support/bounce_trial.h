@@ -68,7 +68,8 @@ public:
                                     [](const glm::vec4& light) { return is_light(light); }));
         scene::BounceVolumes volumes;
         fill_lux(bounce_, solution, volumes);
-        fill_glow(bounce_, solver_->air(), solution, lights.empty() ? glm::vec3(0) : lights[0].position_m, volumes);
+        fill_glow(bounce_, solver_->air(), solution, lights.empty() ? glm::vec3(0) : lights[0].position_m,
+                  volumes);
         for (const auto* volume : {&volumes.surfaces, &volumes.air, &volumes.glow})
             EXPECT_TRUE(std::all_of(volume->texels.begin(), volume->texels.end(), [](std::uint64_t texel) {
                 return is_light(glm::unpackHalf4x16(texel));
