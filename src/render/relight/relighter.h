@@ -182,6 +182,12 @@ private:
     glm::vec3 weight_of(const Addend& addend) const {
         return addend.light >= 0 ? units_.weight(addend.light) : glm::vec3(1.0f);
     }
+    // A light's surfaces are lit by render/pixels, all of a sum at once.
+    bool lights_on_processor(const shared::Light& light) const;
+    void light_on_processor(const ImageSum& sum, const Plane& drawn);
+    shared::Light light_of(const ImageSum& sum, int index) const {
+        return sum.at_unit ? units_.at_unit(index) : units_.lights()[static_cast<std::size_t>(index)];
+    }
     void fold_on_processor(const LightPainter& painter, std::vector<DrawnLights> drawn);
     void add_on_processor(const ImageSum& sum, const std::vector<DrawnLights>& drawn,
                           const std::vector<PixelRect>& parts);
@@ -198,8 +204,10 @@ private:
     void run_commands(FrameStatistics& statistics);
     bool wants_stop(LightPainter& painter);
     // Both: false where it was stopped.
+    // surfaces: else they are lit on the processor.
     bool draw_lights(LightPainter& painter, const std::vector<shared::Light>& lights,
-                     std::uint32_t beam_class, bool wide);
+                     std::uint32_t beam_class, bool wide, bool surfaces);
+    void record_bounces(LightPainter& painter, const LightChunk& chunk);
     void record_surfaces(LightPainter& painter, const LightChunk& chunk, std::uint64_t keeps_offset);
     PainterShape painter_shape(std::uint32_t most_fans) const;
     void on_all(const std::function<void(LightPainter&)>& what);
@@ -224,7 +232,8 @@ private:
     LightTree tree_;
     std::unique_ptr<Visibility> visibility_; // null: from passes, without shadows, or none is kept
     bool pages_full_ = false;
-    bool on_processor_ = false; // sum of the frame, spread, glare, tone curve
+    bool on_processor_ = false;        // sum of the frame, spread, glare, tone curve
+    bool lights_on_processor_ = false; // surfaces of passes
     bool flies_ = false;
     bool owes_ = false; // the last frame has parts that are stale
     // Not of a picture at rest, whose lights are drawn once each, nor of one of a moment; where more lights
@@ -262,9 +271,10 @@ private:
     gpu::Buffer air_, work_read_, exposure_, pixels_, nothing_;
     gpu::Texture gobos_, slides_, frame_, kept_, picture_, no_pages_;
     gpu::Buffer slides_upload_;
-    std::vector<shared::SlidePicture> shown_; // what is in slides_, or on its way there
-    std::vector<std::size_t> new_slides_;     // those on their way
-    std::uint64_t slide_bytes_ = 0;           // of one, all levels
+    shared::Gobos
+        beam_pictures_; // its slides: what is in slides_, or on its way there; its texels: on_processor_
+    std::vector<std::size_t> new_slides_; // those on their way
+    std::uint64_t slide_bytes_ = 0;       // of one, all levels
 };
 
 // Images that fit into a memory budget, at most what a full tree needs.

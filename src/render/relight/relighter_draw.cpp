@@ -118,6 +118,11 @@ double Relighter::work_of(int light) const {
     return kWorkOfTables + static_cast<double>(reached) / (kWorkParts * kWorkParts);
 }
 
+// Of the paths of light, that of a dot narrower than a pixel is the shader's alone.
+bool Relighter::lights_on_processor(const shared::Light& light) const {
+    return lights_on_processor_ && !may_be_thin(light, fragments());
+}
+
 void Relighter::draw_sum(const ImageSum& sum) {
     if (on_processor_) {
         draw_patched(sum, {}, {});
@@ -152,6 +157,7 @@ void Relighter::draw_patched(const ImageSum& sum, const ImageSum& patch, const T
         painter.into = &painter.drawn;
         patched.push_back(planes(painter.patch));
     }
+    if (!drawn.empty() && lights_on_processor_) light_on_processor(sum, drawn.front().surfaces);
     if (folds && f.edge_count > 0) fold_on_processor(*folds, drawn);
     add_on_processor(sum, drawn, {});
     if (tiles.empty()) return;
@@ -171,34 +177,36 @@ bool Relighter::draw_share(LightPainter& painter, const ImageSum& sum, const std
     commands.begin_span("clear");
     clear_drawn(painter);
     const Fragments& f = fragments();
-    const auto light_of = [&](int index) {
-        return sum.at_unit ? units_.at_unit(index) : units_.lights()[static_cast<std::size_t>(index)];
-    };
     const auto wide = [&](const shared::Light& light) {
         // What is mended lacks the rays of the tiles beside it.
         return painter.wide && wide_step_ > 1 && settings_.air && painter.mended_tiles == 0 &&
                is_wide(light, f.eye_m, f.pixels_per_rad);
     };
     const bool any_wide =
-        std::any_of(lights.begin(), lights.end(), [&](int index) { return wide(light_of(index)); });
+        std::any_of(lights.begin(), lights.end(), [&](int index) { return wide(light_of(sum, index)); });
     if (any_wide && !std::exchange(painter.wide_prepared, true))
         painter.wide->prepare(commands, f, wide_step_);
     if (any_wide) commands.clear(painter.wide->rays());
     // Lights of a class share a shader that has just what is in their gates.
-    for (std::uint32_t kind = 0; kind < (any_wide ? 2 : 1) * shared::kBeamClasses; ++kind) {
+    for (std::uint32_t kind = 0; kind < 4 * shared::kBeamClasses; ++kind) {
         const std::uint32_t beam_class = kind % shared::kBeamClasses;
-        const bool is_wide = kind >= shared::kBeamClasses;
+        const bool is_wide = (kind / shared::kBeamClasses & 1) != 0;
+        const bool surfaces = kind < 2 * shared::kBeamClasses;
+        if ((is_wide && !any_wide) || !(surfaces || lights_on_processor_)) continue;
         std::vector<shared::Light> chunk;
         for (const int index : lights) {
-            const shared::Light light = light_of(index);
-            if (is_dark(light) || shared::beam_class(light) != beam_class || wide(light) != is_wide) continue;
+            const shared::Light light = light_of(sum, index);
+            if (is_dark(light) || shared::beam_class(light) != beam_class || wide(light) != is_wide ||
+                lights_on_processor(light) == surfaces)
+                continue;
             chunk.push_back(light);
             if (chunk.size() == (stop_ ? 1 : shared::kLightsPerChunk)) {
-                if (!draw_lights(painter, chunk, beam_class, is_wide) || wants_stop(painter)) return false;
+                if (!draw_lights(painter, chunk, beam_class, is_wide, surfaces) || wants_stop(painter))
+                    return false;
                 chunk.clear();
             }
         }
-        if (!chunk.empty()) draw_lights(painter, chunk, beam_class, is_wide);
+        if (!chunk.empty()) draw_lights(painter, chunk, beam_class, is_wide, surfaces);
     }
     if (any_wide) painter.wide->spread(commands, *painter.into);
     if (f.edge_count == 0) return true;
@@ -272,7 +280,7 @@ std::uint32_t Relighter::most_made(const LightPainter& painter) const {
 }
 
 bool Relighter::draw_lights(LightPainter& painter, const std::vector<shared::Light>& lights,
-                            std::uint32_t beam_class, bool wide) {
+                            std::uint32_t beam_class, bool wide, bool surfaces) {
     const std::uint64_t offset = painter.lights_used;
     const std::uint64_t bytes = lights.size() * sizeof(shared::Light);
     CHECK(offset + LightPainter::kChunkBytes <= painter.lights.bytes());
@@ -294,7 +302,7 @@ bool Relighter::draw_lights(LightPainter& painter, const std::vector<shared::Lig
                                 f.tiles_x,
                                 chunk.tiles(),
                                 f.blocks,
-                                settings_.surfaces ? 1u : 0u,
+                                settings_.surfaces && surfaces ? 1u : 0u,
                                 settings_.air ? 1u : 0u,
                                 wide ? wide_step_ * wide_step_ : 1u,
                                 keeps_visibility(painter) ? kept.now : 0,
@@ -328,24 +336,27 @@ bool Relighter::draw_lights(LightPainter& painter, const std::vector<shared::Lig
     if (settings_.air) painter.haze.record(painter.commands, chunk);
     if (!settings_.surfaces) return true;
     if (wants_stop(painter)) return false;
-    record_surfaces(painter, chunk, kept.offset);
+    if (passes_.bounces.bytes() > 0) record_bounces(painter, chunk);
+    if (surfaces) record_surfaces(painter, chunk, kept.offset);
     return true;
+}
+
+void Relighter::record_bounces(LightPainter& painter, const LightChunk& chunk) {
+    const Fragments& f = fragments();
+    painter.commands.begin_span("bounces");
+    painter.commands.dispatch(
+        painter.bounce, shared::BouncePush{chunk.count()},
+        shaders::BounceBindings{.view = gpu::uniform(f.view),
+                                .lights = gpu::uniform(painter.lights, chunk.light_offset),
+                                .fragments = gpu::stored(f.places),
+                                .bounces = gpu::stored(passes_.bounces),
+                                .drawn = gpu::stored(*painter.into)},
+        f.tiles_x, f.tiles_y);
+    painter.commands.barrier();
 }
 
 void Relighter::record_surfaces(LightPainter& painter, const LightChunk& chunk, std::uint64_t keeps_offset) {
     const Fragments& f = fragments();
-    if (passes_.bounces.bytes() > 0) {
-        painter.commands.begin_span("bounces");
-        painter.commands.dispatch(
-            painter.bounce, shared::BouncePush{chunk.count()},
-            shaders::BounceBindings{.view = gpu::uniform(f.view),
-                                    .lights = gpu::uniform(painter.lights, chunk.light_offset),
-                                    .fragments = gpu::stored(f.places),
-                                    .bounces = gpu::stored(passes_.bounces),
-                                    .drawn = gpu::stored(*painter.into)},
-            f.tiles_x, f.tiles_y);
-        painter.commands.barrier();
-    }
     std::vector<gpu::Binding> bindings;
     if (g_buffer_)
         bindings = shaders::SurfaceLiveBindings{

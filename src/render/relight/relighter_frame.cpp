@@ -6,6 +6,7 @@
 #include "render/pixels/fold.h"
 #include "render/pixels/spread.h"
 #include "render/pixels/sum.h"
+#include "render/pixels/surfaces.h"
 #include "render/relight/planes.h"
 #include "render/relight/relighter.h"
 #include "shaders/develop.h"
@@ -25,6 +26,28 @@ void Relighter::step_on_processor(const char* span, const std::function<void()>&
     const auto took = std::chrono::steady_clock::now() - start;
     drawing_->spans.push_back({span, std::chrono::duration<double, std::milli>(took).count()});
     commands_.begin();
+}
+
+void Relighter::light_on_processor(const ImageSum& sum, const Plane& drawn) {
+    const Fragments& f = fragments();
+    std::vector<shared::Light> lights;
+    for (const int index : sum.lights) {
+        const shared::Light light = light_of(sum, index);
+        if (light.intensity_cd != glm::vec3(0.0f) && lights_on_processor(light)) lights.push_back(light);
+    }
+    if (lights.empty()) return;
+    PassSurfaces where{.view = f.camera,
+                       .attenuation = static_cast<const shared::Air*>(air_.mapped())->attenuation,
+                       .tiles_x = static_cast<int>(f.tiles_x),
+                       .tiles = static_cast<int>(f.tiles_x * f.tiles_y),
+                       .blocks = static_cast<int>(f.blocks),
+                       .bounds = static_cast<const glm::vec4*>(f.tile_bounds.mapped()),
+                       .places = plane_of(f.places),
+                       .passes = {},
+                       .gobos = &beam_pictures_};
+    for (std::uint32_t layer = 0; layer < passes_.radiance.shape().layers; ++layer)
+        where.passes.push_back(plane_of(passes_.radiance, layer));
+    step_on_processor("surfaces", [&] { drawing_->surface_tiles += light_surfaces(where, lights, drawn); });
 }
 
 void Relighter::fold_on_processor(const LightPainter& painter, std::vector<DrawnLights> drawn) {

@@ -96,6 +96,71 @@ TEST_F(OnProcessor, PicturesFromPasses) {
     }
 }
 
+// Everything that a gate can hold, at places that are no multiples of eight pixels.
+TEST_F(OnProcessor, SurfacesOfEveryBeam) {
+    if (!has_vectors()) GTEST_SKIP() << "this processor has no AVX2, FMA and F16C";
+    const glm::vec3 at(-1, -3, 6);
+    std::mt19937 random(3);
+    scene::Passes passes = edgy_passes(random, 75, 41);
+    add_pass(passes, at, [](const glm::vec3&) { return glm::vec3(1.0f, 0.5f, 0.2f); });
+    std::vector<shared::Light> kinds(13, aimed_light(at, {0.2f, 4, 2.6f}, 24, 5000));
+    kinds[1] = aimed_light(at, {0.2f, 4, 2.6f}, 30, 5000, false);
+    put_gobo(kinds[2], 1, 30);
+    put_gobo(kinds[3], 2, 0);
+    put_gobo(kinds[3], 3, 77);
+    kinds[3].focus_per_m = 0.5f; // far out of focus
+    put_gobo(kinds[4], 1, 10, 0.37f, 2);
+    kinds[4].disc = {2, 0.8f, 0.6f, {0.5f, 0.1f}, 0.4f, 0.03f};
+    kinds[5].split = -0.2f;
+    kinds[5].colour_b = {0.2f, 1.5f, 0.1f};
+    kinds[5].panel_m = 0.4f;
+    kinds[6].iris_radius = 0.5f;
+    kinds[6].rim_fraction = 0.7f;
+    kinds[6].shaped = 2;
+    for (std::size_t k = 0; k < 4; ++k)
+        kinds[6].blade[k] = {
+            {k == 0 ? 1.0f : (k == 2 ? -1.0f : 0.0f), k == 1 ? 1.0f : (k == 3 ? -1.0f : 0.0f)},
+            0.3f + 0.1f * static_cast<float>(k),
+            0.02f * static_cast<float>(k)};
+    scene::Projector projector;
+    put_slide(kinds[7], projector);
+    put_slide(kinds[8], projector);
+    kinds[8].focus_per_m = 0.5f;
+    projector.lens_shift = {0.1f, -0.2f};
+    projector.keystone_deg = {10, -15};
+    projector.contrast = 50;
+    projector.blend = {0.1f, 0, 0.2f, 0.3f};
+    put_slide(kinds[9], projector);
+    put_gobo(kinds[9], 1, 30);
+    kinds[9].iris_radius = 0.6f;
+    kinds[9].iris_depth = 0.05f;
+    kinds[9].shaped = 2;
+    for (shared::Blade& blade : kinds[9].blade) blade.offset = 8;
+    for (std::uint32_t figure = shared::kLineFigure; figure <= shared::kWaveFigure; ++figure)
+        put_figure(kinds[9 + figure], figure, 1.0f);
+    for (std::size_t kind = 0; kind < kinds.size(); ++kind) {
+        SCOPED_TRACE("kind " + std::to_string(kind));
+        std::array<image::ImageF, 2> both;
+        for (const bool processor : {false, true}) {
+            Settings settings = foggy();
+            settings.air = false;
+            settings.ambient = glm::vec3(0.0f);
+            settings.pixels_on_processor = processor;
+            Relighter relighter(device(), passes, test_gobos(), 1, settings);
+            const FrameStatistics drawn = relighter.draw({kinds[kind]});
+            EXPECT_GT(drawn.surface_tiles, 10);
+            both[processor ? 1 : 0] = relighter.frame();
+        }
+        const Difference difference = compare(both[1], both[0]);
+        std::printf("beam kind %zu: bias %.4f %%, worst %.4f %%, rms %.4f %% of the mean\n", kind,
+                    100 * difference.mean_bias, 100 * difference.worst, 100 * difference.rms);
+        // The device decodes sRGB a bit darker than the formula.
+        const bool slide = kinds[kind].slide.layer > 0;
+        EXPECT_LT(difference.worst, slide ? 0.01 : 0.002);
+        EXPECT_LT(std::abs(difference.mean_bias), slide ? 0.005 : 0.0005);
+    }
+}
+
 TEST_F(OnProcessor, PicturesOfAFreeCamera) {
     if (!has_vectors()) GTEST_SKIP() << "this processor has no AVX2, FMA and F16C";
     Report report;

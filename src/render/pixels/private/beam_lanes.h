@@ -1,0 +1,39 @@
+#pragma once
+// SPDX-License-Identifier: Apache-2.0
+// The beam of shaders/shared for eight pixels at once: the same lines, read once more with real and truth of
+// lane_types.h. What is of a light is one number for all eight. Only within functions that are VECTORS.
+
+#include "render/pixels/private/lane_types.h"
+#include "render/pixels/private/texture_lanes.h"
+#include "shared/attenuation.h"
+#include "shared/beam.h"
+#include "shared/haze.h"
+
+#if defined(__x86_64__)
+namespace ghost::shared::lanes {
+
+// As large as they are, they are only looked at.
+using Light = const shared::Light&;
+using Wheel = const shared::Wheel&;
+using Disc = const shared::Disc&;
+using Blade = const shared::Blade&;
+using Slide = const shared::Slide&;
+using LaserCurve = const shared::LaserCurve&;
+using Haze = const shared::Haze&;
+
+} // namespace ghost::shared::lanes
+
+#pragma push_macro("SHARED_BEGIN")
+#pragma push_macro("SHARED_FN")
+#undef SHARED_BEGIN
+#undef SHARED_FN
+#define SHARED_BEGIN namespace ghost::shared::lanes {
+#define SHARED_FN INLINE_VECTORS
+#define SHARED_LANES
+#include "shared/attenuation.h"
+#include "shared/beam.h"
+#include "shared/haze.h"
+#undef SHARED_LANES
+#pragma pop_macro("SHARED_FN")
+#pragma pop_macro("SHARED_BEGIN")
+#endif
