@@ -1,183 +1,151 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render/pixels/surfaces.h"
 
-#include "render/pixels/private/beam_lanes.h"
-#include "render/pixels/processor.h"
-#include "shared/push.h"
+#include "render/pixels/private/fragment_runs.h"
+#include "shared/visibility.h"
 
 #include <algorithm>
-#include <array>
-#include <atomic>
-#include <cmath>
-#include <cstring>
 
 #if defined(__x86_64__)
 namespace ghost::render {
 namespace {
 
 using shared::lanes::any;
-using shared::lanes::bits_of;
 using shared::lanes::real;
 using shared::lanes::truth;
+using shared::lanes::vec2;
 using shared::lanes::vec3;
 using shared::lanes::vec4;
 
-constexpr int kLanes = 8;
-constexpr std::size_t kPlaceBytes = 16;
-constexpr int kRunsOfTile = static_cast<int>(shared::kTilePixels) / kLanes;
-constexpr int kRunsOfRow = static_cast<int>(shared::kTileWidth) / kLanes;
+// Where a light may send anything.
+INLINE_VECTORS truth in_beam(const shared::Light& light, const vec3& q) {
+    const float k = light.tan_field * light.cut_radius;
+    return q.z > std::max(light.lens_m, 1e-4f) && q.x * q.x + q.y * q.y < k * k * (q.z * q.z);
+}
 
-// Lights that reach a tile or a block, for eight of them.
-using Reaching = std::array<std::vector<const shared::Light*>, kLanes>;
+VECTORS void light_pass_run(const PassSurfaces& where, const UnitLights& lights, const Run& run,
+                            const Plane& drawn) {
+    const vec4 place = load_places(where.places, run);
+    const vec3 place_m(place.x, place.y, place.z);
+    const shared::Haze& haze = where.view.haze;
+    vec3 sum(0.0f);
+    bool is_lit = false;
+    for (const MarkedLight* marked : lights) {
+        const shared::Light& light = marked->light;
+        const vec3 way_m = place_m - light.position_m;
+        const vec3 q = to_gate(light, way_m);
+        if (!any(in_beam(light, q))) continue;
+        is_lit = true;
+        const vec4 radiance = load_run(where.passes[light.pass], run);
+        sum += beam_candela(light, q, *where.gobos) * vec3(radiance.x, radiance.y, radiance.z) *
+               (pass_fraction(light, way_m) * haze_transmittance(haze, way_from_lens_m(light, q)) *
+                attenuation_factor(where.attenuation, length(q)));
+    }
+    if (!is_lit) return;
+    const real seen =
+        haze_transmittance(haze, length(place_m - where.view.eye_m)) * (1.0f / shared::kPassScale);
+    add_run(drawn, run, sum * select(place.w >= 0.0f, seen, 0.0f));
+}
 
-// Eight fragments, side by side but at the end of a row.
-struct Run {
-    int x = 0;
-    int y = 0;
-    int count = kLanes; // fewer at the right border of the picture
-    bool joined = true; // else each is looked for: extra fragments go on in the next row
+struct LitFragment {
+    vec3 normal, facet, to_eye;
+    real eye_m, area_m2; // that the pixel shows
+    shared::lanes::Brdf brdf;
 };
 
-Run run_of(const PassSurfaces& where, int unit, int number) {
-    const auto width = static_cast<int>(where.view.width), height = static_cast<int>(where.view.height);
-    if (unit < where.tiles) {
-        const int x =
-            (unit % where.tiles_x) * static_cast<int>(shared::kTileWidth) + number % kRunsOfRow * kLanes;
-        const int y = (unit / where.tiles_x) * static_cast<int>(shared::kTileHeight) + number / kRunsOfRow;
-        const int count = y < height ? std::clamp(width - x, 0, kLanes) : 0;
-        return {x, y, count, count == kLanes};
-    }
-    const int extra = (unit - where.tiles) * static_cast<int>(shared::kTilePixels) + number * kLanes;
-    const int x = extra % width;
-    return {x, height + extra / width, kLanes, x + kLanes <= width};
+INLINE_VECTORS vec3 unpack_normal(real x, real y) {
+    return direction_from_octahedral(vec2(x, y) * 0.5f + vec2(0.5f));
 }
 
-// Where the texels of a run lie; those that are not side by side are brought together at `room`.
-const std::uint8_t* texels_of(const Plane& plane, const Run& run, std::size_t bytes, std::uint8_t* room) {
-    const auto at = [&](int x, int y) { return plane.row(y) + bytes * static_cast<std::size_t>(x); };
-    if (run.joined) return at(run.x, run.y);
-    for (int k = 0; k < run.count; ++k)
-        std::memcpy(room + bytes * static_cast<std::size_t>(k),
-                    at((run.x + k) % plane.width, run.y + (run.x + k) / plane.width), bytes);
-    return room;
+INLINE_VECTORS LitFragment fragment_of(const LiveSurfaces& where, const vec4& place, const Run& run) {
+    LitFragment f;
+    const vec4 normals = load_run(where.normals, run), diffuse = load_run(where.diffuse, run),
+               specular = load_run(where.specular, run);
+    f.normal = unpack_normal(normals.x, normals.y);
+    f.facet = unpack_normal(normals.z, normals.w);
+    const vec3 way_m = vec3(where.view.eye_m) - vec3(place.x, place.y, place.z);
+    f.eye_m = max(length(way_m), 1e-4f);
+    f.to_eye = way_m * (1.0f / f.eye_m);
+    const real pixel_m =
+        f.eye_m * (2.0f * glm::length(where.view.right) / static_cast<float>(where.view.width));
+    f.area_m2 = place.w * pixel_m * pixel_m / max(dot(f.facet, f.to_eye), 0.25f);
+    f.brdf.diffuse = vec3(diffuse.x, diffuse.y, diffuse.z);
+    f.brdf.alpha = diffuse.w;
+    f.brdf.f0 = vec3(specular.x, specular.y, specular.z);
+    f.brdf.f90 = specular.w;
+    return f;
 }
 
-// Four numbers of each of eight pixels, the first two pixels in the first vector, to all first numbers, all
-// second ones ...
-INLINE_VECTORS vec4 by_number(F8 a, F8 b, F8 c, F8 d) {
-    const F8 p04 = _mm256_permute2f128_ps(a, c, 0x20), p15 = _mm256_permute2f128_ps(a, c, 0x31);
-    const F8 p26 = _mm256_permute2f128_ps(b, d, 0x20), p37 = _mm256_permute2f128_ps(b, d, 0x31);
-    const F8 xy0 = _mm256_unpacklo_ps(p04, p15), zw0 = _mm256_unpackhi_ps(p04, p15);
-    const F8 xy2 = _mm256_unpacklo_ps(p26, p37), zw2 = _mm256_unpackhi_ps(p26, p37);
-    return {_mm256_shuffle_ps(xy0, xy2, 0x44), _mm256_shuffle_ps(xy0, xy2, 0xEE),
-            _mm256_shuffle_ps(zw0, zw2, 0x44), _mm256_shuffle_ps(zw0, zw2, 0xEE)};
+// What fragments see of the lamp, from the page of their unit.
+INLINE_VECTORS real kept_fraction(const LiveSurfaces& where, const MarkedLight& marked, const Run& run) {
+    if (marked.light.map == 0 || !marked.entries) return 1.0f;
+    const std::uint32_t page = std::max(marked.entries[2 * run.unit], 1u) - 1;
+    const std::uint32_t in_layer = page % shared::kPagesOfLayer;
+    const std::uint32_t x = in_layer % shared::kPagesAcross * shared::kTileWidth;
+    const std::uint32_t y = in_layer / shared::kPagesAcross * shared::kTileHeight;
+    const std::uint8_t* row =
+        where.pages[page / shared::kPagesOfLayer].row(static_cast<int>(y) + run.number / kRunsOfRow);
+    const I8 texels =
+        _mm256_loadu_si256(reinterpret_cast<const I8*>(row + std::size_t{4} * x) + run.number % kRunsOfRow);
+    return real(_mm256_cvtepi32_ps(_mm256_and_si256(texels, _mm256_set1_epi32(0xffff)))) * (1.0f / 65535.0f);
 }
 
-INLINE_VECTORS vec4 load_floats(const std::uint8_t* at) {
-    const auto* from = reinterpret_cast<const float*>(at);
-    return by_number(_mm256_loadu_ps(from), _mm256_loadu_ps(from + 8), _mm256_loadu_ps(from + 16),
-                     _mm256_loadu_ps(from + 24));
+// As surface_live.comp has it.
+INLINE_VECTORS vec3 shown(const LiveSurfaces& where, const MarkedLight& marked, const LitFragment& f,
+                          const vec3& from_light, const vec3& q, const Run& run) {
+    const shared::Light& light = marked.light;
+    const real distance2 = max(dot(from_light, from_light), 1e-4f);
+    const real distance_m = sqrt(distance2);
+    const vec3 from_map = from_light + light.off_map_m;
+    const vec3 to_light = from_map * (-1.0f / max(length(from_map), 0.01f));
+    const truth meets = in_beam(light, q) && dot(f.facet, to_light) > 0.0f;
+    if (!any(meets)) return vec3(0.0f);
+    const real kept = kept_fraction(where, marked, run);
+    if (!any(meets && kept > 0.0f)) return vec3(0.0f);
+    const real width_m = sqrt(f.area_m2 * max(-dot(f.facet, from_light) / distance_m, 0.0f));
+    const real z = max(q.z, 1e-4f);
+    const real per_m = 1.0f / (z * light.tan_field);
+    shared::lanes::Focus focus = beam_focus(light, z);
+    focus.least = (light.figure.kind != shared::kNoFigure ? 1.0f : 0.5f) * width_m * per_m;
+    const vec3 light_cd =
+        vec3(light.intensity_cd) * beam_gate(light, vec2(q.x, q.y) * per_m, focus, *where.gobos) *
+        (near_fraction(light, distance2) * haze_transmittance(where.view.haze, way_from_lens_m(light, q)) *
+         attenuation_factor(where.attenuation, distance_m) / distance2);
+    const vec3 value = light_cd * brdf_times_cosine(f.brdf, f.normal, f.to_eye, to_light);
+    return select(meets, value * kept, vec3(0.0f));
 }
 
-INLINE_VECTORS vec3 load_light(const std::uint8_t* at) {
-    const vec4 rgba =
-        by_number(load_halves(at), load_halves(at + 16), load_halves(at + 32), load_halves(at + 48));
-    return {rgba.x, rgba.y, rgba.z};
-}
-
-INLINE_VECTORS void add_light(std::uint8_t* at, const vec3& light) {
-    const F8 rg0 = _mm256_unpacklo_ps(light.x.v, light.y.v), rg2 = _mm256_unpackhi_ps(light.x.v, light.y.v);
-    const F8 zero = _mm256_setzero_ps();
-    const F8 b0 = _mm256_unpacklo_ps(light.z.v, zero), b2 = _mm256_unpackhi_ps(light.z.v, zero);
-    const F8 p04 = _mm256_shuffle_ps(rg0, b0, 0x44), p15 = _mm256_shuffle_ps(rg0, b0, 0xEE);
-    const F8 p26 = _mm256_shuffle_ps(rg2, b2, 0x44), p37 = _mm256_shuffle_ps(rg2, b2, 0xEE);
-    const F8 pairs[4] = {_mm256_permute2f128_ps(p04, p15, 0x20), _mm256_permute2f128_ps(p26, p37, 0x20),
-                         _mm256_permute2f128_ps(p04, p15, 0x31), _mm256_permute2f128_ps(p26, p37, 0x31)};
-    for (int k = 0; k < 4; ++k)
-        store_halves(at + 16 * k, to_store(_mm256_add_ps(load_halves(at + 16 * k), pairs[k])));
-}
-
-// As cull.comp: the sphere round what a unit shows meets the cone.
-VECTORS int find_lights(const PassSurfaces& where, const std::vector<shared::Light>& lights, int first,
-                        Reaching& reaching) {
-    alignas(32) float sphere[4][kLanes];
-    const int units = where.tiles + where.blocks;
-    for (int k = 0; k < kLanes; ++k) {
-        reaching[static_cast<std::size_t>(k)].clear();
-        const glm::vec4 of_unit =
-            first + k < units ? where.bounds[2 * (first + k)] : glm::vec4(0.0f, 0.0f, 0.0f, -1.0f);
-        for (int c = 0; c < 4; ++c) sphere[c][k] = of_unit[c];
-    }
-    const vec3 middle_m(_mm256_load_ps(sphere[0]), _mm256_load_ps(sphere[1]), _mm256_load_ps(sphere[2]));
-    const real radius_m = _mm256_load_ps(sphere[3]);
-    int count = 0;
-    for (const shared::Light& light : lights) {
-        const float k = light.tan_field * light.cut_radius;
-        const vec3 q = to_gate(light, middle_m - light.position_m);
-        const real z = q.z + radius_m * (std::sqrt(1.0f + k * k) / k);
-        const truth meets = radius_m >= 0.0f && z > 0.0f && q.x * q.x + q.y * q.y < k * k * (z * z);
-        for (unsigned left = bits_of(meets); left != 0; left &= left - 1, ++count)
-            reaching[static_cast<std::size_t>(__builtin_ctz(left))].push_back(&light);
-    }
-    return count;
-}
-
-INLINE_VECTORS vec3 shown(const PassSurfaces& where, const shared::Light& light, const vec3& place_m,
-                          const Run& run, const vec3& sum) {
-    const vec3 way_m = place_m - light.position_m;
-    const vec3 q = to_gate(light, way_m);
-    const float k = light.tan_field * light.cut_radius;
-    const truth meets = q.z > std::max(light.lens_m, 1e-4f) && q.x * q.x + q.y * q.y < k * k * (q.z * q.z);
-    if (!any(meets)) return sum;
-    alignas(32) std::uint8_t room[kLanes * kPixelBytes] = {};
-    const vec3 radiance = load_light(texels_of(where.passes[light.pass], run, kPixelBytes, room));
-    return sum +
-           beam_candela(light, q, *where.gobos) * radiance *
-               (pass_fraction(light, way_m) * haze_transmittance(where.view.haze, way_from_lens_m(light, q)) *
-                attenuation_factor(where.attenuation, length(q)));
-}
-
-VECTORS void light_run(const PassSurfaces& where, const std::vector<const shared::Light*>& lights,
-                       const Run& run, const Plane& drawn) {
-    alignas(32) std::uint8_t room[kLanes * kPlaceBytes] = {};
-    const vec4 place = load_floats(texels_of(where.places, run, kPlaceBytes, room));
+VECTORS void light_stage_run(const LiveSurfaces& where, const UnitLights& lights, const Run& run,
+                             const Plane& drawn) {
+    const vec4 place = load_places(where.places, run);
     const vec3 place_m(place.x, place.y, place.z);
+    if (!any(place.w > 0.0f)) return;
+    LitFragment f;
     vec3 sum(0.0f);
-    for (const shared::Light* light : lights) sum = shown(where, *light, place_m, run, sum);
-    const real seen =
-        haze_transmittance(where.view.haze, length(place_m - where.view.eye_m)) * (1.0f / shared::kPassScale);
-    sum *= select(place.w >= 0.0f, seen, 0.0f);
-    if (run.joined) {
-        add_light(drawn.row(run.y) + kPixelBytes * static_cast<std::size_t>(run.x), sum);
-        return;
+    bool is_lit = false;
+    for (const MarkedLight* marked : lights) {
+        const vec3 from_light = place_m - marked->light.position_m;
+        const vec3 q = to_gate(marked->light, from_light);
+        if (!any(in_beam(marked->light, q))) continue;
+        if (!is_lit) f = fragment_of(where, place, run);
+        is_lit = true;
+        sum += shown(where, *marked, f, from_light, q, run);
     }
-    texels_of(drawn, run, kPixelBytes, room);
-    add_light(room, sum);
-    for (int k = 0; k < run.count; ++k) {
-        const int x = (run.x + k) % drawn.width, y = run.y + (run.x + k) / drawn.width;
-        std::memcpy(drawn.row(y) + kPixelBytes * static_cast<std::size_t>(x),
-                    room + kPixelBytes * static_cast<std::size_t>(k), kPixelBytes);
-    }
+    if (!is_lit) return;
+    // What no fragment fills may hold anything.
+    add_run(
+        drawn, run,
+        select(place.w > 0.0f, sum * (place.w * haze_transmittance(where.view.haze, f.eye_m)), vec3(0.0f)));
 }
 
 } // namespace
 
-int light_surfaces(const PassSurfaces& where, const std::vector<shared::Light>& lights, const Plane& drawn) {
-    const int units = where.tiles + where.blocks;
-    std::atomic<int> count = 0;
-    each_rows((units + kLanes - 1) / kLanes, [&](int from, int to) {
-        Reaching reaching;
-        for (int first = from * kLanes; first < to * kLanes; first += kLanes) {
-            count += find_lights(where, lights, first, reaching);
-            for (int k = 0; k < kLanes; ++k) {
-                const auto& of_unit = reaching[static_cast<std::size_t>(k)];
-                for (int number = 0; number < kRunsOfTile && !of_unit.empty(); ++number)
-                    if (const Run run = run_of(where, first + k, number); run.count > 0)
-                        light_run(where, of_unit, run, drawn);
-            }
-        }
-    });
-    return count;
+void light_passes(const PassSurfaces& where, const std::vector<MarkedLight>& lights, const Plane& drawn) {
+    each_run(where, lights, drawn, light_pass_run);
+}
+
+void light_stage(const LiveSurfaces& where, const std::vector<MarkedLight>& lights, const Plane& drawn) {
+    each_run(where, lights, drawn, light_stage_run);
 }
 
 } // namespace ghost::render

@@ -116,8 +116,12 @@ Relighter::Relighter(const gpu::Device& device, PassImages passes, const GBuffer
             std::min(settings.visibility_bytes, device.memory().left_bytes() / kShareOfMemory));
     no_pages_ = gpu::Texture(device, {1, 1, 1, 1, VK_FORMAT_R16G16_UNORM, true, false});
     nothing_ = gpu::Buffer(device, LightPainter::kChunkAlign, gpu::Access::device);
-    make_images();
     upload(gobos);
+    make_images();
+    if (lights_on_processor_) {
+        beam_pictures_.layers = gobos.layers;
+        std::copy(std::begin(gobos.texels), std::end(gobos.texels), std::begin(beam_pictures_.texels));
+    }
     painter_of_.assign(static_cast<std::size_t>(light_count), ~std::size_t{0});
     // Their images are added by the processor's own vectors alone.
     if (!settings.workers || !on_processor_ || batch_size_ != 1) return;
@@ -255,10 +259,6 @@ void Relighter::upload(const shared::Gobos& gobos) {
                                shared::kGoboLevels, VK_FORMAT_E5B9G9R9_UFLOAT_PACK32, false, true});
     for (std::uint32_t level = 0; level < shared::kGoboLevels; ++level)
         gobos_.write(level, gobos.texels[level].data(), gobos.texels[level].size() * sizeof(std::uint32_t));
-    if (lights_on_processor_) {
-        beam_pictures_.layers = gobos.layers;
-        std::copy(std::begin(gobos.texels), std::end(gobos.texels), std::begin(beam_pictures_.texels));
-    }
     make_slides(gobos.slides);
 }
 
@@ -319,8 +319,16 @@ void Relighter::make_images() {
     on_processor_ = settings_.pixels_on_processor && has_vectors() &&
                     std::all_of(textures.begin(), textures.end(),
                                 [](const gpu::Texture* texture) { return texture->mapped() != nullptr; });
-    lights_on_processor_ = on_processor_ && batch_size_ == 1 && !g_buffer_ && settings_.surfaces &&
-                           passes_.radiance.mapped() && f.tile_bounds.mapped();
+    std::vector<const gpu::Texture*> lit{&passes_.radiance};
+    if (g_buffer_)
+        lit = {&normals(), &(coarse_ ? coarse_->diffuse() : g_buffer_->diffuse()),
+               &(coarse_ ? coarse_->specular() : g_buffer_->specular())};
+    if (visibility_) lit.push_back(&visibility_->pages());
+    lights_on_processor_ =
+        on_processor_ && batch_size_ == 1 && settings_.surfaces && !settings_.illuminance &&
+        main_.masks.mapped() && (!visibility_ || visibility_->entries().mapped()) &&
+        std::all_of(lit.begin(), lit.end(),
+                    [](const gpu::Texture* texture) { return texture->mapped() != nullptr; });
 
     std::string lowered;
     if (distances_ && distances_->side() < distances_->wanted_side())

@@ -19,6 +19,7 @@
 #include "render/haze/haze_pass.h"
 #include "render/haze/visibility.h"
 #include "render/pixels/plane.h"
+#include "render/pixels/surfaces.h"
 #include "render/relight/coarse_light.h"
 #include "render/relight/dirty_tiles.h"
 #include "render/relight/glare_pass.h"
@@ -182,13 +183,21 @@ private:
     glm::vec3 weight_of(const Addend& addend) const {
         return addend.light >= 0 ? units_.weight(addend.light) : glm::vec3(1.0f);
     }
+    // What it draws is folded and added by render/pixels: all but images that are mended.
+    bool adds_on_processor(const LightPainter& painter) const {
+        return on_processor_ && (painter.mended_tiles == 0 || painter.into == &painter.patch);
+    }
     // A light's surfaces are lit by render/pixels, all of a sum at once.
-    bool lights_on_processor(const shared::Light& light) const;
-    void light_on_processor(const ImageSum& sum, const Plane& drawn);
+    bool leaves_surfaces(const LightPainter& painter, const shared::Light& light) const;
+    void light_on_processor(bool patches, const Plane& drawn);
+    SurfacePlanes surface_planes() const;
+    PassSurfaces pass_surfaces() const;
+    LiveSurfaces live_surfaces() const;
     shared::Light light_of(const ImageSum& sum, int index) const {
         return sum.at_unit ? units_.at_unit(index) : units_.lights()[static_cast<std::size_t>(index)];
     }
-    void fold_on_processor(const LightPainter& painter, std::vector<DrawnLights> drawn);
+    // tiles: null: all.
+    void fold_on_processor(const LightPainter& painter, std::vector<DrawnLights> drawn, const TileSet* tiles);
     void add_on_processor(const ImageSum& sum, const std::vector<DrawnLights>& drawn,
                           const std::vector<PixelRect>& parts);
     void spread_on_processor();
@@ -204,11 +213,13 @@ private:
     void run_commands(FrameStatistics& statistics);
     bool wants_stop(LightPainter& painter);
     // Both: false where it was stopped.
-    // surfaces: else they are lit on the processor.
+    // indices: of the lights, where their surfaces are left to render/pixels; empty: they are not.
     bool draw_lights(LightPainter& painter, const std::vector<shared::Light>& lights,
-                     std::uint32_t beam_class, bool wide, bool surfaces);
+                     const std::vector<int>& indices, std::uint32_t beam_class, bool wide);
     void record_bounces(LightPainter& painter, const LightChunk& chunk);
-    void record_surfaces(LightPainter& painter, const LightChunk& chunk, std::uint64_t keeps_offset);
+    // listed: all but those whose visibility is not kept; else none but these.
+    void record_surfaces(LightPainter& painter, const LightChunk& chunk, std::uint64_t keeps_offset,
+                         bool listed);
     PainterShape painter_shape(std::uint32_t most_fans) const;
     void on_all(const std::function<void(LightPainter&)>& what);
     void finish_frame(const scene::FrameLights& lit);
@@ -233,7 +244,7 @@ private:
     std::unique_ptr<Visibility> visibility_; // null: from passes, without shadows, or none is kept
     bool pages_full_ = false;
     bool on_processor_ = false;        // sum of the frame, spread, glare, tone curve
-    bool lights_on_processor_ = false; // surfaces of passes
+    bool lights_on_processor_ = false; // surfaces, but of lights whose visibility is not kept
     bool flies_ = false;
     bool owes_ = false; // the last frame has parts that are stale
     // Not of a picture at rest, whose lights are drawn once each, nor of one of a moment; where more lights

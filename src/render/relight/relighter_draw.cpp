@@ -118,9 +118,10 @@ double Relighter::work_of(int light) const {
     return kWorkOfTables + static_cast<double>(reached) / (kWorkParts * kWorkParts);
 }
 
-// Of the paths of light, that of a dot narrower than a pixel is the shader's alone.
-bool Relighter::lights_on_processor(const shared::Light& light) const {
-    return lights_on_processor_ && !may_be_thin(light, fragments());
+// Dots narrower than a pixel and what is worked out of shadows just where light falls are the shaders' alone.
+bool Relighter::leaves_surfaces(const LightPainter& painter, const shared::Light& light) const {
+    return lights_on_processor_ && adds_on_processor(painter) && (!distances_ || keeps_visibility(painter)) &&
+           !may_be_thin(light, fragments());
 }
 
 void Relighter::draw_sum(const ImageSum& sum) {
@@ -135,6 +136,7 @@ void Relighter::draw_sum(const ImageSum& sum) {
 // Images that are stale in some tiles are as if they were drawn again there: patch.
 void Relighter::draw_patched(const ImageSum& sum, const ImageSum& patch, const TileSet& tiles) {
     std::vector<DrawnLights> drawn, patched;
+    on_all([](LightPainter& painter) { painter.left.clear(); });
     const Fragments& f = fragments();
     const auto planes = [&](const gpu::Texture& texture) {
         return DrawnLights{plane_of(texture, 0), plane_of(texture, 1)};
@@ -143,12 +145,14 @@ void Relighter::draw_patched(const ImageSum& sum, const ImageSum& patch, const T
     for (const Share& share : shares_of(sum.lights, patch.lights)) {
         LightPainter& painter = *share.painter;
         record_on(painter);
+        if (lights_on_processor_) painter.begin_marks();
         if (!share.lights.empty()) {
             if (!draw_share(painter, sum, share.lights)) return;
             drawn.push_back(planes(painter.drawn));
             folds = &painter;
         }
         if (share.resting.empty()) continue;
+        folds = &painter;
         painter.expect_patches();
         painter.into = &painter.patch;
         painter.mended_tiles = painter.mending->record(painter.commands, rooms(), tiles);
@@ -157,8 +161,10 @@ void Relighter::draw_patched(const ImageSum& sum, const ImageSum& patch, const T
         painter.into = &painter.drawn;
         patched.push_back(planes(painter.patch));
     }
-    if (!drawn.empty() && lights_on_processor_) light_on_processor(sum, drawn.front().surfaces);
-    if (folds && f.edge_count > 0) fold_on_processor(*folds, drawn);
+    if (!drawn.empty()) light_on_processor(false, drawn.front().surfaces);
+    if (!patched.empty()) light_on_processor(true, patched.front().surfaces);
+    if (!drawn.empty() && f.edge_count > 0) fold_on_processor(*folds, drawn, nullptr);
+    if (!patched.empty() && f.edge_count > 0) fold_on_processor(*folds, patched, &tiles);
     add_on_processor(sum, drawn, {});
     if (tiles.empty()) return;
     drawn.insert(drawn.end(), patched.begin(), patched.end());
@@ -191,22 +197,25 @@ bool Relighter::draw_share(LightPainter& painter, const ImageSum& sum, const std
     for (std::uint32_t kind = 0; kind < 4 * shared::kBeamClasses; ++kind) {
         const std::uint32_t beam_class = kind % shared::kBeamClasses;
         const bool is_wide = (kind / shared::kBeamClasses & 1) != 0;
-        const bool surfaces = kind < 2 * shared::kBeamClasses;
-        if ((is_wide && !any_wide) || !(surfaces || lights_on_processor_)) continue;
+        const bool leaves = kind >= 2 * shared::kBeamClasses; // their surfaces
+        if ((is_wide && !any_wide) || (leaves && !lights_on_processor_)) continue;
         std::vector<shared::Light> chunk;
+        std::vector<int> left;
         for (const int index : lights) {
             const shared::Light light = light_of(sum, index);
             if (is_dark(light) || shared::beam_class(light) != beam_class || wide(light) != is_wide ||
-                lights_on_processor(light) == surfaces)
+                leaves_surfaces(painter, light) != leaves)
                 continue;
             chunk.push_back(light);
+            if (leaves) left.push_back(index);
             if (chunk.size() == (stop_ ? 1 : shared::kLightsPerChunk)) {
-                if (!draw_lights(painter, chunk, beam_class, is_wide, surfaces) || wants_stop(painter))
+                if (!draw_lights(painter, chunk, left, beam_class, is_wide) || wants_stop(painter))
                     return false;
                 chunk.clear();
+                left.clear();
             }
         }
-        if (!chunk.empty()) draw_lights(painter, chunk, beam_class, is_wide, surfaces);
+        if (!chunk.empty()) draw_lights(painter, chunk, left, beam_class, is_wide);
     }
     if (any_wide) painter.wide->spread(commands, *painter.into);
     if (f.edge_count == 0) return true;
@@ -220,7 +229,7 @@ bool Relighter::draw_share(LightPainter& painter, const ImageSum& sum, const std
                           gpu::groups(f.edge_count, 64));
         commands.barrier();
     }
-    if (on_processor_ && painter.mended_tiles == 0) return true; // fold_on_processor
+    if (adds_on_processor(painter)) return true; // fold_on_processor
     const gpu::Buffer& tile_list =
         painter.mending ? painter.mending->tiles() : f.tile_bounds; // only read where tiles are mended
     commands.dispatch(painter.fold, shared::FoldPush{f.edge_count, painter.mended_tiles > 0 ? 1u : 0u},
@@ -280,7 +289,7 @@ std::uint32_t Relighter::most_made(const LightPainter& painter) const {
 }
 
 bool Relighter::draw_lights(LightPainter& painter, const std::vector<shared::Light>& lights,
-                            std::uint32_t beam_class, bool wide, bool surfaces) {
+                            const std::vector<int>& indices, std::uint32_t beam_class, bool wide) {
     const std::uint64_t offset = painter.lights_used;
     const std::uint64_t bytes = lights.size() * sizeof(shared::Light);
     CHECK(offset + LightPainter::kChunkBytes <= painter.lights.bytes());
@@ -302,7 +311,7 @@ bool Relighter::draw_lights(LightPainter& painter, const std::vector<shared::Lig
                                 f.tiles_x,
                                 chunk.tiles(),
                                 f.blocks,
-                                settings_.surfaces && surfaces ? 1u : 0u,
+                                settings_.surfaces ? 1u : 0u,
                                 settings_.air ? 1u : 0u,
                                 wide ? wide_step_ * wide_step_ : 1u,
                                 keeps_visibility(painter) ? kept.now : 0,
@@ -311,7 +320,16 @@ bool Relighter::draw_lights(LightPainter& painter, const std::vector<shared::Lig
                                 visibility_ ? most_made(painter) : 0,
                                 batch_size_ == 1            ? ~0u
                                 : settings_.most_groups > 0 ? settings_.most_groups
-                                                            : device_.limits().work_groups};
+                                                            : device_.limits().work_groups,
+                                indices.empty() ? 0u : static_cast<std::uint32_t>(painter.left.size()) + 1};
+    for (std::size_t k = 0; k < indices.size(); ++k) {
+        const auto* keeps =
+            visibility_ ? reinterpret_cast<const shared::Keep*>(
+                              static_cast<const std::uint8_t*>(visibility_->keeps().mapped()) + kept.offset)
+                        : nullptr;
+        painter.left.push_back({indices[k], lights[k], keeps ? keeps[k].place : 0,
+                                painter.left.size() * painter.mark_words(), painter.into == &painter.patch});
+    }
     painter.commands.begin_span("cull");
     const std::uint32_t slices = visibility_slices(f, batch_size_);
     painter.commands.write(
@@ -337,7 +355,7 @@ bool Relighter::draw_lights(LightPainter& painter, const std::vector<shared::Lig
     if (!settings_.surfaces) return true;
     if (wants_stop(painter)) return false;
     if (passes_.bounces.bytes() > 0) record_bounces(painter, chunk);
-    if (surfaces) record_surfaces(painter, chunk, kept.offset);
+    record_surfaces(painter, chunk, kept.offset, indices.empty());
     return true;
 }
 
@@ -355,7 +373,10 @@ void Relighter::record_bounces(LightPainter& painter, const LightChunk& chunk) {
     painter.commands.barrier();
 }
 
-void Relighter::record_surfaces(LightPainter& painter, const LightChunk& chunk, std::uint64_t keeps_offset) {
+void Relighter::record_surfaces(LightPainter& painter, const LightChunk& chunk, std::uint64_t keeps_offset,
+                                bool listed) {
+    const bool direct_too = keeps_visibility(painter) && batch_size_ == 1;
+    if (!listed && !direct_too) return; // all are left
     const Fragments& f = fragments();
     std::vector<gpu::Binding> bindings;
     if (g_buffer_)
@@ -414,11 +435,12 @@ void Relighter::record_surfaces(LightPainter& painter, const LightChunk& chunk, 
         painter.commands.begin_span("surfaces");
         gpu::LateProgram& direct = painter.direct_surface[chunk.beam_class];
         const bool all_direct = distances_ && !keeps_visibility(painter);
-        gpu::LateProgram& listed =
+        gpu::LateProgram& program =
             all_direct ? direct : (thin ? painter.thin_surface : painter.surface)[chunk.beam_class];
-        painter.commands.dispatch_indirect(listed.get(), push, bindings, painter.groups,
-                                           chunk.surface_groups(push.batch));
-        if (keeps_visibility(painter) && batch_size_ == 1) {
+        if (listed)
+            painter.commands.dispatch_indirect(program.get(), push, bindings, painter.groups,
+                                               chunk.surface_groups(push.batch));
+        if (direct_too) {
             // Other tiles than those above.
             push.direct = 1;
             painter.commands.dispatch_indirect(direct.get(), push, bindings, painter.groups,

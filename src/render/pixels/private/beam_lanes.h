@@ -1,13 +1,16 @@
 #pragma once
 // SPDX-License-Identifier: Apache-2.0
-// The beam of shaders/shared for eight pixels at once: the same lines, read once more with real and truth of
-// lane_types.h. What is of a light is one number for all eight. Only within functions that are VECTORS.
+// The beam and what reflects it, of shaders/shared, for eight pixels at once: the same lines, read once more
+// with real and truth of lane_types.h. What is of a light is one number for all eight. Only within functions
+// that are VECTORS.
 
 #include "render/pixels/private/lane_types.h"
 #include "render/pixels/private/texture_lanes.h"
 #include "shared/attenuation.h"
 #include "shared/beam.h"
+#include "shared/brdf.h"
 #include "shared/haze.h"
+#include "shared/octahedral.h"
 
 #if defined(__x86_64__)
 namespace ghost::shared::lanes {
@@ -25,15 +28,21 @@ using Haze = const shared::Haze&;
 
 #pragma push_macro("SHARED_BEGIN")
 #pragma push_macro("SHARED_FN")
+#pragma push_macro("SHARED_SIZE")
 #undef SHARED_BEGIN
 #undef SHARED_FN
+#undef SHARED_SIZE
 #define SHARED_BEGIN namespace ghost::shared::lanes {
 #define SHARED_FN INLINE_VECTORS
+#define SHARED_SIZE(type, bytes) static_assert(sizeof(type) >= (bytes))
 #define SHARED_LANES
 #include "shared/attenuation.h"
 #include "shared/beam.h"
+#include "shared/brdf.h"
 #include "shared/haze.h"
+#include "shared/octahedral.h"
 #undef SHARED_LANES
+#pragma pop_macro("SHARED_SIZE")
 #pragma pop_macro("SHARED_FN")
 #pragma pop_macro("SHARED_BEGIN")
 #endif

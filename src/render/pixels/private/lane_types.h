@@ -44,6 +44,7 @@ struct real {
     INLINE_VECTORS friend real operator/(real a, real b) { return a.v / b.v; }
     INLINE_VECTORS friend real operator-(real a) { return -a.v; }
     INLINE_VECTORS real& operator+=(real b) { return *this = *this + b; }
+    INLINE_VECTORS real& operator-=(real b) { return *this = *this - b; }
     INLINE_VECTORS real& operator*=(real b) { return *this = *this * b; }
     INLINE_VECTORS friend truth operator<(real a, real b) { return {a.v < b.v}; }
     INLINE_VECTORS friend truth operator>(real a, real b) { return {a.v > b.v}; }
@@ -64,6 +65,7 @@ struct vec2 {
 
 struct vec3 {
     real x, y, z;
+    vec3() = default;
     INLINE_VECTORS vec3(real a, real b, real c) : x(a), y(b), z(c) {}
     INLINE_VECTORS vec3(const vec2& a, real b) : x(a.x), y(a.y), z(b) {}
     INLINE_VECTORS vec3(real all) : x(all), y(all), z(all) {}
@@ -124,6 +126,15 @@ INLINE_VECTORS vec4 clamp(const vec4& a, const vec4& low, const vec4& high) {
     return {clamp(a.x, low.x, high.x), clamp(a.y, low.y, high.y), clamp(a.z, low.z, high.z),
             clamp(a.w, low.w, high.w)};
 }
+INLINE_VECTORS vec3 clamp(const vec3& a, const vec3& low, const vec3& high) {
+    return {clamp(a.x, low.x, high.x), clamp(a.y, low.y, high.y), clamp(a.z, low.z, high.z)};
+}
+INLINE_VECTORS real mix(real a, real b, real part) {
+    return a + (b - a) * part;
+}
+INLINE_VECTORS vec3 mix(const vec3& a, const vec3& b, real part) {
+    return a + (b - a) * part;
+}
 INLINE_VECTORS real abs(real a) {
     return _mm256_andnot_ps(_mm256_set1_ps(-0.0f), a.v);
 }
@@ -153,6 +164,10 @@ INLINE_VECTORS real length(const vec2& a) {
 }
 INLINE_VECTORS real length(const vec3& a) {
     return sqrt(dot(a, a));
+}
+
+INLINE_VECTORS vec3 normalize(const vec3& a) {
+    return a * (1.0f / length(a));
 }
 
 INLINE_VECTORS real exp2(real a) {
