@@ -174,6 +174,7 @@ private:
     void record_on(LightPainter& painter);
     void run_workers();
     void clear_drawn(LightPainter& painter);
+    void find_silhouettes(LightPainter& painter);
     void draw_sum(const ImageSum& sum);
     void draw_patched(const ImageSum& sum, const ImageSum& patch, const TileSet& tiles);
     bool draw_share(LightPainter& painter, const ImageSum& sum, const std::vector<int>& lights);

@@ -141,18 +141,16 @@ void Relighter::draw_patched(const ImageSum& sum, const ImageSum& patch, const T
     const auto planes = [&](const gpu::Texture& texture) {
         return DrawnLights{plane_of(texture, 0), plane_of(texture, 1)};
     };
-    const LightPainter* folds = nullptr; // knows where silhouettes have their haze from
-    for (const Share& share : shares_of(sum.lights, patch.lights)) {
+    const std::vector<Share> shares = shares_of(sum.lights, patch.lights);
+    for (const Share& share : shares) {
         LightPainter& painter = *share.painter;
         record_on(painter);
         if (lights_on_processor_) painter.begin_marks();
         if (!share.lights.empty()) {
             if (!draw_share(painter, sum, share.lights)) return;
             drawn.push_back(planes(painter.drawn));
-            folds = &painter;
         }
         if (share.resting.empty()) continue;
-        folds = &painter;
         painter.expect_patches();
         painter.into = &painter.patch;
         painter.mended_tiles = painter.mending->record(painter.commands, rooms(), tiles);
@@ -161,10 +159,16 @@ void Relighter::draw_patched(const ImageSum& sum, const ImageSum& patch, const T
         painter.into = &painter.drawn;
         patched.push_back(planes(painter.patch));
     }
+    // Where silhouettes have their haze from one painter has to know: who does already, or has least to do.
+    const auto folds = std::min_element(shares.begin(), shares.end(), [](const Share& a, const Share& b) {
+        return std::pair(!a.painter->silhouettes_known, a.work) <
+               std::pair(!b.painter->silhouettes_known, b.work);
+    });
+    if (folds != shares.end()) find_silhouettes(*folds->painter);
     if (!drawn.empty()) light_on_processor(false, drawn.front().surfaces);
     if (!patched.empty()) light_on_processor(true, patched.front().surfaces);
-    if (!drawn.empty() && f.edge_count > 0) fold_on_processor(*folds, drawn, nullptr);
-    if (!patched.empty() && f.edge_count > 0) fold_on_processor(*folds, patched, &tiles);
+    if (!drawn.empty() && f.edge_count > 0) fold_on_processor(*folds->painter, drawn, nullptr);
+    if (!patched.empty() && f.edge_count > 0) fold_on_processor(*folds->painter, patched, &tiles);
     add_on_processor(sum, drawn, {});
     if (tiles.empty()) return;
     drawn.insert(drawn.end(), patched.begin(), patched.end());
@@ -175,6 +179,20 @@ void Relighter::draw_patched(const ImageSum& sum, const ImageSum& patch, const T
 void Relighter::draw_part(LightPainter& painter, const ImageSum& sum) {
     if (!sum.lights.empty()) draw_share(painter, sum, sum.lights);
     add_images(painter, sum);
+}
+
+// Where they have their haze from, once for each picture of the stage.
+void Relighter::find_silhouettes(LightPainter& painter) {
+    const Fragments& f = fragments();
+    if (!settings_.air || f.edge_count == 0 || std::exchange(painter.silhouettes_known, true)) return;
+    painter.commands.begin_span("silhouettes");
+    painter.commands.dispatch(painter.silhouettes, shared::FoldPush{f.edge_count, 0u},
+                              shaders::SilhouettesBindings{.view = gpu::uniform(f.view),
+                                                           .edges = gpu::sampled(f.edges),
+                                                           .places = gpu::stored(f.places),
+                                                           .sources = gpu::stored(painter.haze_sources)},
+                              gpu::groups(f.edge_count, 64));
+    painter.commands.barrier();
 }
 
 // False: it was stopped.
@@ -219,17 +237,9 @@ bool Relighter::draw_share(LightPainter& painter, const ImageSum& sum, const std
     }
     if (any_wide) painter.wide->spread(commands, *painter.into);
     if (f.edge_count == 0) return true;
-    commands.begin_span("fold");
-    if (settings_.air && !std::exchange(painter.silhouettes_known, true)) {
-        commands.dispatch(painter.silhouettes, shared::FoldPush{f.edge_count, 0u},
-                          shaders::SilhouettesBindings{.view = gpu::uniform(f.view),
-                                                       .edges = gpu::sampled(f.edges),
-                                                       .places = gpu::stored(f.places),
-                                                       .sources = gpu::stored(painter.haze_sources)},
-                          gpu::groups(f.edge_count, 64));
-        commands.barrier();
-    }
     if (adds_on_processor(painter)) return true; // fold_on_processor
+    find_silhouettes(painter);
+    commands.begin_span("fold");
     const gpu::Buffer& tile_list =
         painter.mending ? painter.mending->tiles() : f.tile_bounds; // only read where tiles are mended
     commands.dispatch(painter.fold, shared::FoldPush{f.edge_count, painter.mended_tiles > 0 ? 1u : 0u},
