@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Attenuation (shared/types.h) as a factor of light that was computed by the inverse square. d in metres.
-#if !defined(GHOST_SHARED_ATTENUATION_H) || defined(SHARED_LANES)
+#ifndef GHOST_SHARED_ATTENUATION_H
 #define GHOST_SHARED_ATTENUATION_H
 #include "shared/types.h"
 

@@ -5,7 +5,7 @@
 //
 // Both sides supply gobo_sample: transmission of a gobo layer at gate coordinates (-1..1), blurred over a disc of the
 // given radius; and slide_sample: colour (linear Rec.2020) of a layer of the moving pictures. In C++ it needs the images, so there the functions take them as a last argument.
-#if !defined(GHOST_SHARED_BEAM_H) || defined(SHARED_LANES)
+#ifndef GHOST_SHARED_BEAM_H
 #define GHOST_SHARED_BEAM_H
 #include "shared/figure.h"
 #include "shared/optics.h"

@@ -2,7 +2,7 @@
 // Metallic-roughness reflection as glTF 2.0 (appendix B) defines it: Lambert under a GGX layer, height-correlated Smith masking
 // (Heitz 2014), Schlick's Fresnel with F0 = 0.04. The only definition; the baker and the live renderer both call it.
 // All vectors are unit and point away from the surface.
-#if !defined(GHOST_SHARED_BRDF_H) || defined(SHARED_LANES)
+#ifndef GHOST_SHARED_BRDF_H
 #define GHOST_SHARED_BRDF_H
 #include "shared/types.h"
 

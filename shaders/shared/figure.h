@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The figure that a laser sweeps through the gate of a light: what the eye sees of it, the mean over the scanner's round. A curve
 // of Gaussian cross-section; its light is that of the beam which draws it, whatever its blur: docs/design/lasers.md has the formulas.
-#if !defined(GHOST_SHARED_FIGURE_H) || defined(SHARED_LANES)
+#ifndef GHOST_SHARED_FIGURE_H
 #define GHOST_SHARED_FIGURE_H
 #include "shared/types.h"
 

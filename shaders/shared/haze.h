@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Scattering in homogeneous haze: transmittance and the two-term Henyey-Greenstein phase function.
-#if !defined(GHOST_SHARED_HAZE_H) || defined(SHARED_LANES)
+#ifndef GHOST_SHARED_HAZE_H
 #define GHOST_SHARED_HAZE_H
 #include "shared/types.h"
 

@@ -2,7 +2,7 @@
 // Octahedral map of directions (Cigolle et al., JCGT 2014): the sphere unfolded onto the square [0, 1]^2. The middle is straight
 // down (-Z), the diamond round it the lower half; the four corners are one point, straight up, because lights hang and the folds
 // belong where beams rarely go. Texel (i, j) of a map of size s is centred at ((i, j) + 0.5) / s.
-#if !defined(GHOST_SHARED_OCTAHEDRAL_H) || defined(SHARED_LANES)
+#ifndef GHOST_SHARED_OCTAHEDRAL_H
 #define GHOST_SHARED_OCTAHEDRAL_H
 #include "shared/types.h"
 

@@ -3,7 +3,7 @@
 //
 // A thin lens of radius R, with t = R / (R + z tan_field) at a distance z before it (1 at the lens, 0 far away), blurs a plane over
 // a disc whose signed radius in gate units is linear in t:  t - (1 - t) (c - depth),  c = R focus_per_m / tan_field.
-#if !defined(GHOST_SHARED_OPTICS_H) || defined(SHARED_LANES)
+#ifndef GHOST_SHARED_OPTICS_H
 #define GHOST_SHARED_OPTICS_H
 #include "shared/types.h"
 

@@ -35,13 +35,19 @@ using Haze = const shared::Haze&;
 #define SHARED_BEGIN namespace ghost::shared::lanes {
 #define SHARED_FN INLINE_VECTORS
 #define SHARED_SIZE(type, bytes) static_assert(sizeof(type) >= (bytes))
-#define SHARED_LANES
+// To be read once more.
+#undef GHOST_SHARED_ATTENUATION_H
+#undef GHOST_SHARED_BEAM_H
+#undef GHOST_SHARED_BRDF_H
+#undef GHOST_SHARED_FIGURE_H
+#undef GHOST_SHARED_HAZE_H
+#undef GHOST_SHARED_OCTAHEDRAL_H
+#undef GHOST_SHARED_OPTICS_H
 #include "shared/attenuation.h"
 #include "shared/beam.h"
 #include "shared/brdf.h"
 #include "shared/haze.h"
 #include "shared/octahedral.h"
-#undef SHARED_LANES
 #pragma pop_macro("SHARED_SIZE")
 #pragma pop_macro("SHARED_FN")
 #pragma pop_macro("SHARED_BEGIN")
