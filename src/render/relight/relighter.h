@@ -188,8 +188,8 @@ private:
     bool adds_on_processor(const LightPainter& painter) const {
         return on_processor_ && (painter.mended_tiles == 0 || painter.into == &painter.patch);
     }
-    // A light's surfaces are lit by render/pixels, all of a sum at once.
-    bool leaves_surfaces(const LightPainter& painter, const shared::Light& light) const;
+    // Surfaces are lit by render/pixels, all lights of a sum at once.
+    bool leaves_surfaces(const LightPainter& painter) const;
     void light_on_processor(bool patches, const Plane& drawn);
     SurfacePlanes surface_planes() const;
     PassSurfaces pass_surfaces() const;

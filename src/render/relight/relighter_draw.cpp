@@ -118,10 +118,9 @@ double Relighter::work_of(int light) const {
     return kWorkOfTables + static_cast<double>(reached) / (kWorkParts * kWorkParts);
 }
 
-// Dots narrower than a pixel and what is worked out of shadows just where light falls are the shaders' alone.
-bool Relighter::leaves_surfaces(const LightPainter& painter, const shared::Light& light) const {
-    return lights_on_processor_ && adds_on_processor(painter) && (!distances_ || keeps_visibility(painter)) &&
-           !may_be_thin(light, fragments());
+// What is worked out of shadows just where light falls is the shaders' alone.
+bool Relighter::leaves_surfaces(const LightPainter& painter) const {
+    return lights_on_processor_ && adds_on_processor(painter) && (!distances_ || keeps_visibility(painter));
 }
 
 void Relighter::draw_sum(const ImageSum& sum) {
@@ -211,18 +210,19 @@ bool Relighter::draw_share(LightPainter& painter, const ImageSum& sum, const std
     if (any_wide && !std::exchange(painter.wide_prepared, true))
         painter.wide->prepare(commands, f, wide_step_);
     if (any_wide) commands.clear(painter.wide->rays());
+    const bool may_leave = leaves_surfaces(painter); // but those of dots narrower than two pixels
     // Lights of a class share a shader that has just what is in their gates.
     for (std::uint32_t kind = 0; kind < 4 * shared::kBeamClasses; ++kind) {
         const std::uint32_t beam_class = kind % shared::kBeamClasses;
         const bool is_wide = (kind / shared::kBeamClasses & 1) != 0;
         const bool leaves = kind >= 2 * shared::kBeamClasses; // their surfaces
-        if ((is_wide && !any_wide) || (leaves && !lights_on_processor_)) continue;
+        if ((is_wide && !any_wide) || (leaves && !may_leave)) continue;
         std::vector<shared::Light> chunk;
         std::vector<int> left;
         for (const int index : lights) {
             const shared::Light light = light_of(sum, index);
             if (is_dark(light) || shared::beam_class(light) != beam_class || wide(light) != is_wide ||
-                leaves_surfaces(painter, light) != leaves)
+                (may_leave && !may_be_thin(light, f)) != leaves)
                 continue;
             chunk.push_back(light);
             if (leaves) left.push_back(index);
