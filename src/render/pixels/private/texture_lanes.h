@@ -64,13 +64,10 @@ INLINE_VECTORS vec3 gobo_bilinear(const Gobos& gobos, uint layer, real u, real v
     vec3 sum(0.0f);
     for (int k = 0; k < 4; ++k) { // as gobo_light
         const I8 word = _mm256_load_si256(reinterpret_cast<const I8*>(words[k]));
-        constexpr int kBias = 127 - 24; // of a float, less that of the format with its nine bits
-        const I8 power = _mm256_add_epi32(_mm256_srli_epi32(word, 27), _mm256_set1_epi32(kBias));
-        const real unit = _mm256_castsi256_ps(_mm256_slli_epi32(power, 23));
         const real r = _mm256_cvtepi32_ps(_mm256_and_si256(word, digits));
         const real g = _mm256_cvtepi32_ps(_mm256_and_si256(_mm256_srli_epi32(word, 9), digits));
         const real b = _mm256_cvtepi32_ps(_mm256_and_si256(_mm256_srli_epi32(word, 18), digits));
-        sum += vec3(r, g, b) * (places.weight[k] * unit);
+        sum += vec3(r, g, b) * (places.weight[k] * real(render::unit_of_shared_exponents(word)));
     }
     return sum;
 }
