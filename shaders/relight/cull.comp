@@ -13,7 +13,7 @@ layout(local_size_x = 64, local_size_y_id = 2) in; // tiles; lanes that share th
 layout(binding = 0, scalar) uniform ViewBlock { View view; };
 layout(binding = 1, scalar) uniform Lights { Light lights[kLightsPerChunk]; };
 layout(binding = 2, scalar) readonly buffer TileBounds { vec4 tile_bounds[]; }; // 2 a tile: centre, radius; farthest, -, -, -
-layout(binding = 3, scalar) writeonly buffer Masks { uint mask_of[]; };
+layout(binding = 3, scalar) buffer Masks { uint mask_of[]; }; // of each tile, a bit a light; marks: of each light, a bit a tile
 layout(binding = 4, scalar) buffer Groups { TileGroups groups[]; };
 layout(binding = 5, scalar) buffer Lists { uint list[]; };
 layout(binding = 6, scalar) buffer Work { FrameWork work; };
@@ -175,10 +175,13 @@ void main() {
     }
     if (any_surface && p.surfaces != 0u) {
         bool direct = direct_count > 0u;
-        uint at = atomicAdd(list[list_count(batch, direct ? kDirectList : kSurfaceList)], 1u);
-        list[(direct ? direct_list(batch, p.tiles, p.blocks) : surface_list(batch, p.tiles, p.blocks)) + at] = tile;
+        bool marked = p.marks != 0u && !direct;
+        uint words = (p.tiles + p.blocks + 31u) / 32u;
+        if (marked) atomicOr(mask_of[(p.marks - 1u + batch) * words + tile / 32u], 1u << (tile & 31u));
+        uint at = marked ? 0u : atomicAdd(list[list_count(batch, direct ? kDirectList : kSurfaceList)], 1u);
+        if (!marked) list[(direct ? direct_list(batch, p.tiles, p.blocks) : surface_list(batch, p.tiles, p.blocks)) + at] = tile;
         if (at < p.most_groups && direct) atomicAdd(groups[batch].direct[0], 1u);
-        if (at < p.most_groups && !direct) atomicAdd(groups[batch].surface[0], 1u);
+        if (at < p.most_groups && !direct && !marked) atomicAdd(groups[batch].surface[0], 1u);
         atomicAdd(work.surface_tiles, surface_count);
         if (direct) atomicAdd(work.direct_units, direct_count);
         if (made_count > 0u) {

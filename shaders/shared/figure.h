@@ -15,11 +15,11 @@ SHARED_CONST uint kWaveFigure = 3u;
 // Light::intensity_cd is that of a figure so wide (gate units), so that haze's table, which never sees a finer one, holds no more than 1.
 SHARED_CONST float kFigureWidth = 1.0f / 128.0f;
 
-SHARED_FN float figure_slant(float tan_field, float radius2) {
+SHARED_FN real figure_slant(float tan_field, real radius2) {
 #ifdef __cplusplus
     using namespace glm;
 #endif
-    float slant = sqrt(1.0f + tan_field * tan_field * radius2);
+    real slant = sqrt(1.0f + tan_field * tan_field * radius2);
     return slant * slant * slant;
 }
 
@@ -32,31 +32,31 @@ SHARED_FN float figure_length(LaserCurve figure) {
 }
 
 // Even from one end to the other, blurred there.
-SHARED_FN float figure_ends(float x, float half_length, float deviation) {
+SHARED_FN real figure_ends(real x, real half_length, real deviation) {
 #ifdef __cplusplus
     using namespace glm;
 #endif
-    float t = clamp((half_length - abs(x)) / (4.0f * deviation) + 0.5f, 0.0f, 1.0f);
+    real t = clamp((half_length - abs(x)) / (4.0f * deviation) + 0.5f, 0.0f, 1.0f);
     return t * t * (3.0f - 2.0f * t);
 }
 
 // Fraction of Light::intensity_cd; blur: radius of a disc.
-SHARED_FN float figure_transmittance(Light light, vec2 gate, float blur) {
+SHARED_FN real figure_transmittance(Light light, vec2 gate, real blur) {
 #ifdef __cplusplus
     using namespace glm;
 #endif
     LaserCurve figure = light.figure;
-    float deviation = sqrt(figure.deviation * figure.deviation + 0.25f * blur * blur);
+    real deviation = sqrt(figure.deviation * figure.deviation + 0.25f * blur * blur);
     vec2 at = vec2(figure.cosine * gate.x + figure.sine * gate.y, figure.cosine * gate.y - figure.sine * gate.x);
     vec2 size = figure.half_size;
     // How far across the curve, how wide it is there, and how much of its light stands at this place along it.
-    float across = at.y;
-    float width = deviation;
-    float along = 1.0f;
+    real across = at.y;
+    real width = deviation;
+    real along = 1.0f;
     if (figure.kind == kCircleFigure) {
         vec2 unit = at / size;
-        float radius = max(length(unit), 1e-6f);
-        float finest = max(length(unit / size) / radius, 1.0f / max(size.x, size.y)); // in the middle it has no direction
+        real radius = max(length(unit), 1e-6f);
+        real finest = max(length(unit / size) / radius, 1.0f / max(size.x, size.y)); // in the middle it has no direction
         // Mirrors that swing as sine and cosine: even in the angle of the unit circle. Its distance, as fine as there.
         across = radius - 1.0f;
         width = deviation * finest;
@@ -65,14 +65,14 @@ SHARED_FN float figure_transmittance(Light light, vec2 gate, float blur) {
         along = figure_ends(at.x, size.x, deviation);
     }
     if (figure.kind == kWaveFigure) {
-        float turns = kPi * figure.waves / size.x;
-        float angle = turns * at.x + figure.phase;
-        float slope = size.y * turns * cos(angle);
+        real turns = kPi * figure.waves / size.x;
+        real angle = turns * at.x + figure.phase;
+        real slope = size.y * turns * cos(angle);
         across = at.y - size.y * sin(angle);
         width = deviation * sqrt(1.0f + slope * slope);
     }
-    float from = across / width;
-    float gauss = exp2(-0.72134752f * from * from) * 0.39894228f / width;
+    real from = across / width;
+    real gauss = exp2(-0.72134752f * from * from) * 0.39894228f / width;
     return gauss * along * kFigureWidth * figure_slant(light.tan_field, dot(gate, gate)) /
            figure_slant(light.tan_field, light.cut_radius * light.cut_radius);
 }

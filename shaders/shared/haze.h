@@ -7,21 +7,21 @@
 SHARED_BEGIN
 
 // Henyey-Greenstein, 1/sr; cosine of the angle between the light's way and the scattered way (1 = straight on).
-SHARED_FN float henyey_greenstein(float g, float cosine) {
+SHARED_FN real henyey_greenstein(real g, real cosine) {
 #ifdef __cplusplus
     using namespace glm;
 #endif
-    float base = max(1.0f + g * g - 2.0f * g * cosine, 1e-4f);
+    real base = max(1.0f + g * g - 2.0f * g * cosine, 1e-4f);
     return (1.0f - g * g) / (4.0f * kPi * base * sqrt(base));
 }
 
 // Light that comes from a disc is scattered less sharply: narrow is the cosine of half the angle that it is wide, 1 for a point.
-SHARED_FN float haze_phase(Haze haze, float cosine, float narrow) {
+SHARED_FN real haze_phase(Haze haze, real cosine, real narrow) {
     return (1.0f - haze.back_weight) * henyey_greenstein(haze.forward_g * narrow, cosine) +
            haze.back_weight * henyey_greenstein(haze.back_g * narrow, cosine);
 }
 
-SHARED_FN float haze_transmittance(Haze haze, float distance_m) {
+SHARED_FN real haze_transmittance(Haze haze, real distance_m) {
 #ifdef __cplusplus
     using namespace glm;
 #endif

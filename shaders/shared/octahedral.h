@@ -13,13 +13,13 @@ SHARED_FN vec2 octahedral_from(vec3 direction) {
 #ifdef __cplusplus
     using namespace glm;
 #endif
-    float size = max(abs(direction.x) + abs(direction.y) + abs(direction.z), 1e-30f);
-    float x = direction.x / size;
-    float y = direction.y / size;
+    real size = max(abs(direction.x) + abs(direction.y) + abs(direction.z), 1e-30f);
+    real x = direction.x / size;
+    real y = direction.y / size;
     // Folding the upper half out is a shift: 1 - |y| = |x| + |z| on the octahedron.
-    float up = max(direction.z / size, 0.0f);
-    x += x < 0.0f ? -up : up;
-    y += y < 0.0f ? -up : up;
+    real up = max(direction.z / size, 0.0f);
+    x += select(x < 0.0f, -up, up);
+    y += select(y < 0.0f, -up, up);
     return vec2(0.5f + 0.5f * x, 0.5f + 0.5f * y);
 }
 
@@ -28,12 +28,12 @@ SHARED_FN vec3 direction_from_octahedral(vec2 place) {
 #ifdef __cplusplus
     using namespace glm;
 #endif
-    float x = 2.0f * place.x - 1.0f;
-    float y = 2.0f * place.y - 1.0f;
-    float z = abs(x) + abs(y) - 1.0f;
-    float up = max(z, 0.0f);
-    x -= x < 0.0f ? -up : up;
-    y -= y < 0.0f ? -up : up;
+    real x = 2.0f * place.x - 1.0f;
+    real y = 2.0f * place.y - 1.0f;
+    real z = abs(x) + abs(y) - 1.0f;
+    real up = max(z, 0.0f);
+    x -= select(x < 0.0f, -up, up);
+    y -= select(y < 0.0f, -up, up);
     return normalize(vec3(x, y, z));
 }
 

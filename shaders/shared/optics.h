@@ -35,13 +35,13 @@ SHARED_FN bool is_shaped(uint kind) {
 }
 
 struct Focus {
-    float plane;  // signed blur of the plane of depth 0, gate units
-    float away;   // 1 - t
-    float least;  // blur in any case, in quadrature: of the picture's pixels
+    real plane;  // signed blur of the plane of depth 0, gate units
+    real away;   // 1 - t
+    real least;  // blur in any case, in quadrature: of the picture's pixels
 };
 
 // At a place t of the way, blurred by `least` in any case.
-SHARED_FN Focus focus_at(Light light, float t, float least) {
+SHARED_FN Focus focus_at(Light light, real t, real least) {
 #ifdef __cplusplus
     using namespace glm;
 #endif
@@ -55,7 +55,7 @@ SHARED_FN Focus focus_at(Light light, float t, float least) {
 }
 
 // At distance z from the apex along the beam, which is z tan_field wide there.
-SHARED_FN Focus beam_focus(Light light, float z) {
+SHARED_FN Focus beam_focus(Light light, real z) {
 #ifdef __cplusplus
     using namespace glm;
 #endif
@@ -63,7 +63,7 @@ SHARED_FN Focus beam_focus(Light light, float z) {
 }
 
 // The same where all planes are blurred alike, over a disc of this radius.
-SHARED_FN Focus even_focus(Light light, float blur) {
+SHARED_FN Focus even_focus(Light light, real blur) {
     Focus focus;
     focus.plane = blur - light.edge;
     focus.away = 0.0f;
@@ -72,16 +72,16 @@ SHARED_FN Focus even_focus(Light light, float blur) {
 }
 
 // Radius of the blur disc of a plane of the gate, in gate units.
-SHARED_FN float blur_of(Light light, Focus focus, float depth) {
+SHARED_FN real blur_of(Light light, Focus focus, float depth) {
 #ifdef __cplusplus
     using namespace glm;
 #endif
-    float blur = light.edge + abs(focus.plane + depth * focus.away);
-    return focus.least > 0.0f ? length(vec2(blur, focus.least)) : blur;
+    real blur = light.edge + abs(focus.plane + depth * focus.away);
+    return select(focus.least > 0.0f, length(vec2(blur, focus.least)), blur);
 }
 
 // Of the plane of depth 0, at distance z.
-SHARED_FN float beam_blur(Light light, float z) { return blur_of(light, beam_focus(light, z), 0.0f); }
+SHARED_FN real beam_blur(Light light, real z) { return blur_of(light, beam_focus(light, z), 0.0f); }
 
 SHARED_END
 #endif

@@ -57,8 +57,9 @@ struct CullPush {
     uint units;      // tiles and room for blocks
     uint most_made;  // of them in a frame
     uint most_groups; // of an indirect dispatch
+    uint marks;       // 0: none; else, of single lights, the first one's number + 1: surfaces are not listed, unless direct, but marked
 };
-SHARED_SIZE(CullPush, 52);
+SHARED_SIZE(CullPush, 56);
 
 // Workgroups of the indirect dispatches of a batch, as Vulkan wants them.
 struct TileGroups {

@@ -20,6 +20,14 @@ using glm::vec3;
 using glm::vec4;
 using glm::uvec2;
 using uint = std::uint32_t;
+// What differs from pixel to pixel, and what is asked of it. Functions that have their numbers of it are compiled a third time, with
+// eight pixels at once in it (render/pixels/private/beam_lanes.h): there select() has both its sides worked out.
+using real = float;
+using truth = bool;
+template <class Value>
+constexpr Value select(bool condition, const Value& yes, const Value& no) {
+    return condition ? yes : no;
+}
 } // namespace ghost::shared
 #else
 #define SHARED_BEGIN
@@ -28,6 +36,9 @@ using uint = std::uint32_t;
 #define SHARED_FN
 #define SHARED_CONST const
 #define SHARED_INOUT(type) inout type
+#define real float
+#define truth bool
+#define select(condition, yes, no) ((condition) ? (yes) : (no))
 #endif
 
 SHARED_BEGIN
@@ -141,6 +152,15 @@ struct Haze {
     float back_weight; // fraction of the backward lobe
 };
 SHARED_SIZE(Haze, 20);
+
+// Light grows weaker with 1 / (constant + linear d + quadratic d^2), as OpenGL and the thesis have it. Physics is (0, 0, 1);
+// everything else is taste.
+struct Attenuation {
+    float constant;
+    float linear;
+    float quadratic;
+};
+SHARED_SIZE(Attenuation, 12);
 
 // A pinhole camera: the ray through image point (x, y) in pixels, y down, is forward + right (2x/w - 1) + up (1 - 2y/h).
 struct View {

@@ -94,6 +94,11 @@ void Visibility::begin_frame(gpu::Commands& commands, bool is_full) {
     touched_ = TileSet(static_cast<int>(f.width), static_cast<int>(f.height));
 }
 
+const std::uint32_t* Visibility::entries_of(std::uint32_t place) const {
+    return static_cast<const std::uint32_t*>(entries_.mapped()) +
+           (kHeadBytes + std::uint64_t{place - 1} * units_ * kEntryBytes) / sizeof(std::uint32_t);
+}
+
 Visibility::Chunk Visibility::add(const std::vector<shared::Light>& lights) {
     CHECK(keeps_used_ + kKeepBytes <= keeps_.bytes());
     ++now_;

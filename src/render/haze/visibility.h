@@ -41,6 +41,8 @@ public:
 
     const gpu::Buffer& keeps() const { return keeps_; }
     const gpu::Buffer& entries() const { return entries_; }
+    // Of a place + 1 (shared::Keep), where memory is seen by the host: two words a unit.
+    const std::uint32_t* entries_of(std::uint32_t place) const;
     const gpu::Buffer& changed_at() const { return changed_at_; }
     const gpu::Texture& pages() const { return pages_; }
     std::uint32_t page_count() const { return page_count_; }

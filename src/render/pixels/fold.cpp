@@ -75,6 +75,16 @@ VECTORS void fold_entries(const FragmentPlanes& f, int from, int to) {
 
 void fold_fragments(const FragmentPlanes& fragments) {
     const int count = static_cast<int>(fragments.edge_count);
+    if (!fragments.parts.empty()) {
+        each_rows(static_cast<int>(fragments.parts.size()), [&](int from, int to) {
+            for (int k = from; k < to; ++k) {
+                const FragmentPlanes::Edges& part = fragments.parts[static_cast<std::size_t>(k)];
+                fold_entries(fragments, static_cast<int>(part.first),
+                             static_cast<int>(part.first + part.count));
+            }
+        });
+        return;
+    }
     each_rows((count + kEntriesTogether - 1) / kEntriesTogether, [&](int from, int to) {
         fold_entries(fragments, from * kEntriesTogether, std::min(to * kEntriesTogether, count));
     });

@@ -18,7 +18,11 @@ struct FragmentPlanes {
     Plane edges;                    // rg32ui
     Plane sources;                  // r16ui, as edges: of haze (silhouettes.comp)
     std::uint32_t edge_count = 0;
-    bool corners = false; // haze was sampled at the corners of the pixels
+    struct Edges {
+        std::uint32_t first, count;
+    };
+    std::vector<Edges> parts; // nothing but these edges, which are another pixel's each; empty: all
+    bool corners = false;     // haze was sampled at the corners of the pixels
 };
 
 void fold_fragments(const FragmentPlanes& fragments);

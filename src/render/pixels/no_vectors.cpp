@@ -7,6 +7,7 @@
 #include "render/pixels/glare.h"
 #include "render/pixels/spread.h"
 #include "render/pixels/sum.h"
+#include "render/pixels/surfaces.h"
 
 namespace ghost::render {
 
@@ -26,6 +27,12 @@ void fold_extras(const CoarsePlanes&, const Plane&) {
     CHECK(false);
 }
 void fold_fragments(const FragmentPlanes&) {
+    CHECK(false);
+}
+void light_passes(const PassSurfaces&, const std::vector<MarkedLight>&, const Plane&) {
+    CHECK(false);
+}
+void light_stage(const LiveSurfaces&, const std::vector<MarkedLight>&, const Plane&) {
     CHECK(false);
 }
 void glare_down(const Plane&, const Plane&, float, bool) {

@@ -1,9 +1,9 @@
 #pragma once
 // SPDX-License-Identifier: Apache-2.0
-// The steps of a picture that no light has a part in: sums of kept images, from points to pixels,
-// silhouettes, glare, tone curve. As shaders they cost a processor 60 to 80 cycles a pixel each, mostly loads
-// and stores one by one; here they are loops over eight floats (docs/measurements/performance.md). The
-// shaders of the same names say what is right; tests hold both together.
+// Steps of a picture: surfaces, sums of kept images, from points to pixels, silhouettes, glare, tone curve. As
+// shaders they cost a processor 60 to 80 cycles a pixel each (surfaces of a light 24), mostly loads and stores
+// one by one; here they are loops over eight floats (docs/measurements/performance.md). The shaders of the
+// same names say what is right; tests hold both together.
 
 #include <functional>
 

@@ -77,8 +77,9 @@ LightPainter::LightPainter(const gpu::Device& on, const PainterShape& shape, gpu
     // A G-buffer has another number of them each time; there is room for so many.
     const std::uint64_t blocks =
         std::uint64_t{f.places.shape().height - f.height} * f.width / shared::kTilePixels + 1;
-    masks = gpu::Buffer(on, 2 * (tiles + blocks) * shared::kMaskWords * sizeof(std::uint32_t),
-                        gpu::Access::device);
+    const std::uint64_t mask_words = shape.batch_size == 1 ? shape.light_count * ((tiles + blocks) / 32 + 1)
+                                                           : 2 * (tiles + blocks) * shared::kMaskWords;
+    masks = gpu::Buffer(on, mask_words * sizeof(std::uint32_t), gpu::Access::device);
     lists = gpu::Buffer(
         on,
         (shared::kListCounts + batches * shared::lists_length(static_cast<std::uint32_t>(tiles),
@@ -90,6 +91,16 @@ LightPainter::LightPainter(const gpu::Device& on, const PainterShape& shape, gpu
 void LightPainter::begin_lights() {
     lights_used = 0;
     haze.begin_frame();
+}
+
+void LightPainter::begin_marks() {
+    commands.fill_zero(masks);
+    commands.barrier();
+}
+
+std::uint32_t LightPainter::mark_words() const {
+    const Fragments& f = shape_.fragments;
+    return (f.tiles_x * f.tiles_y + f.blocks + 31) / 32;
 }
 
 void LightPainter::expect_patches() {

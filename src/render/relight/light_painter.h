@@ -48,6 +48,9 @@ struct LightPainter {
     void begin_frame();
     // Nothing is recorded that reads what was uploaded of lights so far.
     void begin_lights();
+    // Nothing is marked of what is drawn from here on.
+    void begin_marks();
+    std::uint32_t mark_words() const; // of a light
     // Makes `patch`, the first time.
     void expect_patches();
     void forget_stage() { wide_prepared = silhouettes_known = false; }
@@ -77,6 +80,15 @@ struct LightPainter {
     bool wide_prepared = false;
     bool silhouettes_known = false; // haze_sources are those of the picture
     gpu::Buffer lights, addends, masks, lists, groups, work;
+    // Lights whose surfaces render/pixels lights when this is done, and where: a bit each tile, then block.
+    struct Left {
+        int light;
+        shared::Light shown;
+        std::uint32_t place; // of its kept visibility, + 1; 0: none
+        std::size_t marks;   // words, of masks
+        bool to_patch;
+    };
+    std::vector<Left> left;
     gpu::Texture drawn, patch, haze_sources; // patch: of lights that rest, where the frame is patched
     const gpu::Texture* into = &drawn;       // which of the two is drawn to
     std::uint64_t lights_used = 0;           // bytes, in this frame

@@ -118,6 +118,10 @@ Relighter::Relighter(const gpu::Device& device, PassImages passes, const GBuffer
     nothing_ = gpu::Buffer(device, LightPainter::kChunkAlign, gpu::Access::device);
     upload(gobos);
     make_images();
+    if (lights_on_processor_) {
+        beam_pictures_.layers = gobos.layers;
+        std::copy(std::begin(gobos.texels), std::end(gobos.texels), std::begin(beam_pictures_.texels));
+    }
     painter_of_.assign(static_cast<std::size_t>(light_count), ~std::size_t{0});
     // Their images are added by the processor's own vectors alone.
     if (!settings.workers || !on_processor_ || batch_size_ != 1) return;
@@ -267,7 +271,7 @@ void Relighter::make_slides(const std::vector<shared::SlidePicture>& slides) {
         shape.levels = static_cast<std::uint32_t>(slides.front().levels->size());
     }
     slides_ = gpu::Texture(device_, shape);
-    shown_.assign(slides.size(), {});
+    beam_pictures_.slides.assign(slides.size(), {});
     slide_bytes_ = 0;
     if (slides.empty()) return;
     for (const std::vector<std::uint8_t>& level : *slides.front().levels) slide_bytes_ += level.size();
@@ -276,15 +280,15 @@ void Relighter::make_slides(const std::vector<shared::SlidePicture>& slides) {
 }
 
 void Relighter::set_slides(const std::vector<shared::SlidePicture>& slides) {
-    CHECK_EQ(slides.size(), shown_.size());
+    CHECK_EQ(slides.size(), beam_pictures_.slides.size());
     for (std::size_t k = 0; k < slides.size(); ++k) {
-        if (shown_[k].levels == slides[k].levels) continue;
+        if (beam_pictures_.slides[k].levels == slides[k].levels) continue;
         CHECK_EQ(static_cast<std::uint32_t>(slides[k].side), slides_.shape().width);
         CHECK_EQ(slides[k].levels->size(), slides_.shape().levels);
         auto* to = static_cast<std::uint8_t*>(slides_upload_.mapped()) + k * slide_bytes_;
         for (const std::vector<std::uint8_t>& level : *slides[k].levels)
             to = std::copy(level.begin(), level.end(), to);
-        shown_[k] = slides[k];
+        beam_pictures_.slides[k] = slides[k];
         if (std::find(new_slides_.begin(), new_slides_.end(), k) == new_slides_.end())
             new_slides_.push_back(k);
     }
@@ -315,6 +319,16 @@ void Relighter::make_images() {
     on_processor_ = settings_.pixels_on_processor && has_vectors() &&
                     std::all_of(textures.begin(), textures.end(),
                                 [](const gpu::Texture* texture) { return texture->mapped() != nullptr; });
+    std::vector<const gpu::Texture*> lit{&passes_.radiance};
+    if (g_buffer_)
+        lit = {&normals(), &(coarse_ ? coarse_->diffuse() : g_buffer_->diffuse()),
+               &(coarse_ ? coarse_->specular() : g_buffer_->specular())};
+    if (visibility_) lit.push_back(&visibility_->pages());
+    lights_on_processor_ =
+        on_processor_ && batch_size_ == 1 && settings_.surfaces && !settings_.illuminance &&
+        main_.masks.mapped() && (!visibility_ || visibility_->entries().mapped()) &&
+        std::all_of(lit.begin(), lit.end(),
+                    [](const gpu::Texture* texture) { return texture->mapped() != nullptr; });
 
     std::string lowered;
     if (distances_ && distances_->side() < distances_->wanted_side())

@@ -19,6 +19,7 @@
 #include "render/haze/haze_pass.h"
 #include "render/haze/visibility.h"
 #include "render/pixels/plane.h"
+#include "render/pixels/surfaces.h"
 #include "render/relight/coarse_light.h"
 #include "render/relight/dirty_tiles.h"
 #include "render/relight/glare_pass.h"
@@ -173,6 +174,7 @@ private:
     void record_on(LightPainter& painter);
     void run_workers();
     void clear_drawn(LightPainter& painter);
+    void find_silhouettes(LightPainter& painter);
     void draw_sum(const ImageSum& sum);
     void draw_patched(const ImageSum& sum, const ImageSum& patch, const TileSet& tiles);
     bool draw_share(LightPainter& painter, const ImageSum& sum, const std::vector<int>& lights);
@@ -182,7 +184,21 @@ private:
     glm::vec3 weight_of(const Addend& addend) const {
         return addend.light >= 0 ? units_.weight(addend.light) : glm::vec3(1.0f);
     }
-    void fold_on_processor(const LightPainter& painter, std::vector<DrawnLights> drawn);
+    // What it draws is folded and added by render/pixels: all but images that are mended.
+    bool adds_on_processor(const LightPainter& painter) const {
+        return on_processor_ && (painter.mended_tiles == 0 || painter.into == &painter.patch);
+    }
+    // Surfaces are lit by render/pixels, all lights of a sum at once.
+    bool leaves_surfaces(const LightPainter& painter) const;
+    void light_on_processor(bool patches, const Plane& drawn);
+    SurfacePlanes surface_planes() const;
+    PassSurfaces pass_surfaces() const;
+    LiveSurfaces live_surfaces() const;
+    shared::Light light_of(const ImageSum& sum, int index) const {
+        return sum.at_unit ? units_.at_unit(index) : units_.lights()[static_cast<std::size_t>(index)];
+    }
+    // tiles: null: all.
+    void fold_on_processor(const LightPainter& painter, std::vector<DrawnLights> drawn, const TileSet* tiles);
     void add_on_processor(const ImageSum& sum, const std::vector<DrawnLights>& drawn,
                           const std::vector<PixelRect>& parts);
     void spread_on_processor();
@@ -198,9 +214,13 @@ private:
     void run_commands(FrameStatistics& statistics);
     bool wants_stop(LightPainter& painter);
     // Both: false where it was stopped.
+    // indices: of the lights, where their surfaces are left to render/pixels; empty: they are not.
     bool draw_lights(LightPainter& painter, const std::vector<shared::Light>& lights,
-                     std::uint32_t beam_class, bool wide);
-    void record_surfaces(LightPainter& painter, const LightChunk& chunk, std::uint64_t keeps_offset);
+                     const std::vector<int>& indices, std::uint32_t beam_class, bool wide);
+    void record_bounces(LightPainter& painter, const LightChunk& chunk);
+    // listed: all but those whose visibility is not kept; else none but these.
+    void record_surfaces(LightPainter& painter, const LightChunk& chunk, std::uint64_t keeps_offset,
+                         bool listed);
     PainterShape painter_shape(std::uint32_t most_fans) const;
     void on_all(const std::function<void(LightPainter&)>& what);
     void finish_frame(const scene::FrameLights& lit);
@@ -224,7 +244,8 @@ private:
     LightTree tree_;
     std::unique_ptr<Visibility> visibility_; // null: from passes, without shadows, or none is kept
     bool pages_full_ = false;
-    bool on_processor_ = false; // sum of the frame, spread, glare, tone curve
+    bool on_processor_ = false;        // sum of the frame, spread, glare, tone curve
+    bool lights_on_processor_ = false; // surfaces, but of lights whose visibility is not kept
     bool flies_ = false;
     bool owes_ = false; // the last frame has parts that are stale
     // Not of a picture at rest, whose lights are drawn once each, nor of one of a moment; where more lights
@@ -262,9 +283,10 @@ private:
     gpu::Buffer air_, work_read_, exposure_, pixels_, nothing_;
     gpu::Texture gobos_, slides_, frame_, kept_, picture_, no_pages_;
     gpu::Buffer slides_upload_;
-    std::vector<shared::SlidePicture> shown_; // what is in slides_, or on its way there
-    std::vector<std::size_t> new_slides_;     // those on their way
-    std::uint64_t slide_bytes_ = 0;           // of one, all levels
+    shared::Gobos
+        beam_pictures_; // its slides: what is in slides_, or on its way there; its texels: on_processor_
+    std::vector<std::size_t> new_slides_; // those on their way
+    std::uint64_t slide_bytes_ = 0;       // of one, all levels
 };
 
 // Images that fit into a memory budget, at most what a full tree needs.

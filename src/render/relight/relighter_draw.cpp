@@ -118,6 +118,11 @@ double Relighter::work_of(int light) const {
     return kWorkOfTables + static_cast<double>(reached) / (kWorkParts * kWorkParts);
 }
 
+// What is worked out of shadows just where light falls is the shaders' alone.
+bool Relighter::leaves_surfaces(const LightPainter& painter) const {
+    return lights_on_processor_ && adds_on_processor(painter) && (!distances_ || keeps_visibility(painter));
+}
+
 void Relighter::draw_sum(const ImageSum& sum) {
     if (on_processor_) {
         draw_patched(sum, {}, {});
@@ -130,18 +135,19 @@ void Relighter::draw_sum(const ImageSum& sum) {
 // Images that are stale in some tiles are as if they were drawn again there: patch.
 void Relighter::draw_patched(const ImageSum& sum, const ImageSum& patch, const TileSet& tiles) {
     std::vector<DrawnLights> drawn, patched;
+    on_all([](LightPainter& painter) { painter.left.clear(); });
     const Fragments& f = fragments();
     const auto planes = [&](const gpu::Texture& texture) {
         return DrawnLights{plane_of(texture, 0), plane_of(texture, 1)};
     };
-    const LightPainter* folds = nullptr; // knows where silhouettes have their haze from
-    for (const Share& share : shares_of(sum.lights, patch.lights)) {
+    const std::vector<Share> shares = shares_of(sum.lights, patch.lights);
+    for (const Share& share : shares) {
         LightPainter& painter = *share.painter;
         record_on(painter);
+        if (lights_on_processor_) painter.begin_marks();
         if (!share.lights.empty()) {
             if (!draw_share(painter, sum, share.lights)) return;
             drawn.push_back(planes(painter.drawn));
-            folds = &painter;
         }
         if (share.resting.empty()) continue;
         painter.expect_patches();
@@ -152,7 +158,16 @@ void Relighter::draw_patched(const ImageSum& sum, const ImageSum& patch, const T
         painter.into = &painter.drawn;
         patched.push_back(planes(painter.patch));
     }
-    if (folds && f.edge_count > 0) fold_on_processor(*folds, drawn);
+    // Where silhouettes have their haze from one painter has to know: who does already, or has least to do.
+    const auto folds = std::min_element(shares.begin(), shares.end(), [](const Share& a, const Share& b) {
+        return std::pair(!a.painter->silhouettes_known, a.work) <
+               std::pair(!b.painter->silhouettes_known, b.work);
+    });
+    if (folds != shares.end()) find_silhouettes(*folds->painter);
+    if (!drawn.empty()) light_on_processor(false, drawn.front().surfaces);
+    if (!patched.empty()) light_on_processor(true, patched.front().surfaces);
+    if (!drawn.empty() && f.edge_count > 0) fold_on_processor(*folds->painter, drawn, nullptr);
+    if (!patched.empty() && f.edge_count > 0) fold_on_processor(*folds->painter, patched, &tiles);
     add_on_processor(sum, drawn, {});
     if (tiles.empty()) return;
     drawn.insert(drawn.end(), patched.begin(), patched.end());
@@ -165,54 +180,66 @@ void Relighter::draw_part(LightPainter& painter, const ImageSum& sum) {
     add_images(painter, sum);
 }
 
+// Where they have their haze from, once for each picture of the stage.
+void Relighter::find_silhouettes(LightPainter& painter) {
+    const Fragments& f = fragments();
+    if (!settings_.air || f.edge_count == 0 || std::exchange(painter.silhouettes_known, true)) return;
+    painter.commands.begin_span("silhouettes");
+    painter.commands.dispatch(painter.silhouettes, shared::FoldPush{f.edge_count, 0u},
+                              shaders::SilhouettesBindings{.view = gpu::uniform(f.view),
+                                                           .edges = gpu::sampled(f.edges),
+                                                           .places = gpu::stored(f.places),
+                                                           .sources = gpu::stored(painter.haze_sources)},
+                              gpu::groups(f.edge_count, 64));
+    painter.commands.barrier();
+}
+
 // False: it was stopped.
 bool Relighter::draw_share(LightPainter& painter, const ImageSum& sum, const std::vector<int>& lights) {
     gpu::Commands& commands = painter.commands;
     commands.begin_span("clear");
     clear_drawn(painter);
     const Fragments& f = fragments();
-    const auto light_of = [&](int index) {
-        return sum.at_unit ? units_.at_unit(index) : units_.lights()[static_cast<std::size_t>(index)];
-    };
     const auto wide = [&](const shared::Light& light) {
         // What is mended lacks the rays of the tiles beside it.
         return painter.wide && wide_step_ > 1 && settings_.air && painter.mended_tiles == 0 &&
                is_wide(light, f.eye_m, f.pixels_per_rad);
     };
     const bool any_wide =
-        std::any_of(lights.begin(), lights.end(), [&](int index) { return wide(light_of(index)); });
+        std::any_of(lights.begin(), lights.end(), [&](int index) { return wide(light_of(sum, index)); });
     if (any_wide && !std::exchange(painter.wide_prepared, true))
         painter.wide->prepare(commands, f, wide_step_);
     if (any_wide) commands.clear(painter.wide->rays());
+    const bool may_leave = leaves_surfaces(painter); // but those of dots narrower than two pixels
     // Lights of a class share a shader that has just what is in their gates.
-    for (std::uint32_t kind = 0; kind < (any_wide ? 2 : 1) * shared::kBeamClasses; ++kind) {
+    for (std::uint32_t kind = 0; kind < 4 * shared::kBeamClasses; ++kind) {
         const std::uint32_t beam_class = kind % shared::kBeamClasses;
-        const bool is_wide = kind >= shared::kBeamClasses;
+        const bool is_wide = (kind / shared::kBeamClasses & 1) != 0;
+        const bool leaves = kind >= 2 * shared::kBeamClasses; // their surfaces
+        if ((is_wide && !any_wide) || (leaves && !may_leave)) continue;
         std::vector<shared::Light> chunk;
+        std::vector<int> left;
         for (const int index : lights) {
-            const shared::Light light = light_of(index);
-            if (is_dark(light) || shared::beam_class(light) != beam_class || wide(light) != is_wide) continue;
+            const shared::Light light = light_of(sum, index);
+            if (is_dark(light) || shared::beam_class(light) != beam_class || wide(light) != is_wide ||
+                (may_leave && !may_be_thin(light, f)) != leaves)
+                continue;
             chunk.push_back(light);
+            if (leaves) left.push_back(index);
             if (chunk.size() == (stop_ ? 1 : shared::kLightsPerChunk)) {
-                if (!draw_lights(painter, chunk, beam_class, is_wide) || wants_stop(painter)) return false;
+                if (!draw_lights(painter, chunk, left, beam_class, is_wide) || wants_stop(painter))
+                    return false;
                 chunk.clear();
+                left.clear();
             }
         }
-        if (!chunk.empty()) draw_lights(painter, chunk, beam_class, is_wide);
+        if (!chunk.empty()) draw_lights(painter, chunk, left, beam_class, is_wide);
     }
     if (any_wide) painter.wide->spread(commands, *painter.into);
     if (f.edge_count == 0) return true;
+    if (adds_on_processor(painter)) return true; // fold_on_processor
+    find_silhouettes(painter);
     commands.begin_span("fold");
-    if (settings_.air && !std::exchange(painter.silhouettes_known, true)) {
-        commands.dispatch(painter.silhouettes, shared::FoldPush{f.edge_count, 0u},
-                          shaders::SilhouettesBindings{.view = gpu::uniform(f.view),
-                                                       .edges = gpu::sampled(f.edges),
-                                                       .places = gpu::stored(f.places),
-                                                       .sources = gpu::stored(painter.haze_sources)},
-                          gpu::groups(f.edge_count, 64));
-        commands.barrier();
-    }
-    if (on_processor_ && painter.mended_tiles == 0) return true; // fold_on_processor
     const gpu::Buffer& tile_list =
         painter.mending ? painter.mending->tiles() : f.tile_bounds; // only read where tiles are mended
     commands.dispatch(painter.fold, shared::FoldPush{f.edge_count, painter.mended_tiles > 0 ? 1u : 0u},
@@ -272,7 +299,7 @@ std::uint32_t Relighter::most_made(const LightPainter& painter) const {
 }
 
 bool Relighter::draw_lights(LightPainter& painter, const std::vector<shared::Light>& lights,
-                            std::uint32_t beam_class, bool wide) {
+                            const std::vector<int>& indices, std::uint32_t beam_class, bool wide) {
     const std::uint64_t offset = painter.lights_used;
     const std::uint64_t bytes = lights.size() * sizeof(shared::Light);
     CHECK(offset + LightPainter::kChunkBytes <= painter.lights.bytes());
@@ -303,7 +330,16 @@ bool Relighter::draw_lights(LightPainter& painter, const std::vector<shared::Lig
                                 visibility_ ? most_made(painter) : 0,
                                 batch_size_ == 1            ? ~0u
                                 : settings_.most_groups > 0 ? settings_.most_groups
-                                                            : device_.limits().work_groups};
+                                                            : device_.limits().work_groups,
+                                indices.empty() ? 0u : static_cast<std::uint32_t>(painter.left.size()) + 1};
+    for (std::size_t k = 0; k < indices.size(); ++k) {
+        const auto* keeps =
+            visibility_ ? reinterpret_cast<const shared::Keep*>(
+                              static_cast<const std::uint8_t*>(visibility_->keeps().mapped()) + kept.offset)
+                        : nullptr;
+        painter.left.push_back({indices[k], lights[k], keeps ? keeps[k].place : 0,
+                                painter.left.size() * painter.mark_words(), painter.into == &painter.patch});
+    }
     painter.commands.begin_span("cull");
     const std::uint32_t slices = visibility_slices(f, batch_size_);
     painter.commands.write(
@@ -328,24 +364,30 @@ bool Relighter::draw_lights(LightPainter& painter, const std::vector<shared::Lig
     if (settings_.air) painter.haze.record(painter.commands, chunk);
     if (!settings_.surfaces) return true;
     if (wants_stop(painter)) return false;
-    record_surfaces(painter, chunk, kept.offset);
+    if (passes_.bounces.bytes() > 0) record_bounces(painter, chunk);
+    record_surfaces(painter, chunk, kept.offset, indices.empty());
     return true;
 }
 
-void Relighter::record_surfaces(LightPainter& painter, const LightChunk& chunk, std::uint64_t keeps_offset) {
+void Relighter::record_bounces(LightPainter& painter, const LightChunk& chunk) {
     const Fragments& f = fragments();
-    if (passes_.bounces.bytes() > 0) {
-        painter.commands.begin_span("bounces");
-        painter.commands.dispatch(
-            painter.bounce, shared::BouncePush{chunk.count()},
-            shaders::BounceBindings{.view = gpu::uniform(f.view),
-                                    .lights = gpu::uniform(painter.lights, chunk.light_offset),
-                                    .fragments = gpu::stored(f.places),
-                                    .bounces = gpu::stored(passes_.bounces),
-                                    .drawn = gpu::stored(*painter.into)},
-            f.tiles_x, f.tiles_y);
-        painter.commands.barrier();
-    }
+    painter.commands.begin_span("bounces");
+    painter.commands.dispatch(
+        painter.bounce, shared::BouncePush{chunk.count()},
+        shaders::BounceBindings{.view = gpu::uniform(f.view),
+                                .lights = gpu::uniform(painter.lights, chunk.light_offset),
+                                .fragments = gpu::stored(f.places),
+                                .bounces = gpu::stored(passes_.bounces),
+                                .drawn = gpu::stored(*painter.into)},
+        f.tiles_x, f.tiles_y);
+    painter.commands.barrier();
+}
+
+void Relighter::record_surfaces(LightPainter& painter, const LightChunk& chunk, std::uint64_t keeps_offset,
+                                bool listed) {
+    const bool direct_too = keeps_visibility(painter) && batch_size_ == 1;
+    if (!listed && !direct_too) return; // all are left
+    const Fragments& f = fragments();
     std::vector<gpu::Binding> bindings;
     if (g_buffer_)
         bindings = shaders::SurfaceLiveBindings{
@@ -403,11 +445,12 @@ void Relighter::record_surfaces(LightPainter& painter, const LightChunk& chunk, 
         painter.commands.begin_span("surfaces");
         gpu::LateProgram& direct = painter.direct_surface[chunk.beam_class];
         const bool all_direct = distances_ && !keeps_visibility(painter);
-        gpu::LateProgram& listed =
+        gpu::LateProgram& program =
             all_direct ? direct : (thin ? painter.thin_surface : painter.surface)[chunk.beam_class];
-        painter.commands.dispatch_indirect(listed.get(), push, bindings, painter.groups,
-                                           chunk.surface_groups(push.batch));
-        if (keeps_visibility(painter) && batch_size_ == 1) {
+        if (listed)
+            painter.commands.dispatch_indirect(program.get(), push, bindings, painter.groups,
+                                               chunk.surface_groups(push.batch));
+        if (direct_too) {
             // Other tiles than those above.
             push.direct = 1;
             painter.commands.dispatch_indirect(direct.get(), push, bindings, painter.groups,

@@ -6,13 +6,16 @@
 #include "render/pixels/fold.h"
 #include "render/pixels/spread.h"
 #include "render/pixels/sum.h"
+#include "render/pixels/surfaces.h"
 #include "render/relight/planes.h"
 #include "render/relight/relighter.h"
 #include "shaders/develop.h"
 #include "shaders/meter.h"
 #include "shared/coarse.h"
 #include "shared/develop.h"
+#include "shared/g_buffer.h"
 
+#include <algorithm>
 #include <chrono>
 
 namespace ghost::render {
@@ -27,19 +30,86 @@ void Relighter::step_on_processor(const char* span, const std::function<void()>&
     commands_.begin();
 }
 
-void Relighter::fold_on_processor(const LightPainter& painter, std::vector<DrawnLights> drawn) {
+// patches: of the lights that rest.
+void Relighter::light_on_processor(bool patches, const Plane& drawn) {
+    struct OfPainter {
+        const LightPainter* painter;
+        const LightPainter::Left* left;
+    };
+    std::vector<OfPainter> all;
+    on_all([&](const LightPainter& painter) {
+        for (const LightPainter::Left& left : painter.left)
+            if (left.to_patch == patches) all.push_back({&painter, &left});
+    });
+    if (all.empty()) return;
+    std::sort(all.begin(), all.end(),
+              [](const OfPainter& a, const OfPainter& b) { return a.left->light < b.left->light; });
+    std::vector<MarkedLight> lights;
+    for (const auto& [painter, left] : all) {
+        MarkedLight& light = lights.emplace_back();
+        light.light = left->shown;
+        light.marks = static_cast<const std::uint32_t*>(painter->masks.mapped()) + left->marks;
+        if (left->place > 0) light.entries = visibility_->entries_of(left->place);
+    }
+    step_on_processor("surfaces", [&] {
+        if (g_buffer_)
+            light_stage(live_surfaces(), lights, drawn);
+        else
+            light_passes(pass_surfaces(), lights, drawn);
+    });
+}
+
+SurfacePlanes Relighter::surface_planes() const {
+    const Fragments& f = fragments();
+    return {.view = f.camera,
+            .attenuation = static_cast<const shared::Air*>(air_.mapped())->attenuation,
+            .tiles_x = static_cast<int>(f.tiles_x),
+            .tiles = static_cast<int>(f.tiles_x * f.tiles_y),
+            .blocks = static_cast<int>(f.blocks),
+            .places = plane_of(f.places),
+            .gobos = &beam_pictures_};
+}
+
+PassSurfaces Relighter::pass_surfaces() const {
+    PassSurfaces surfaces{surface_planes(), {}};
+    for (std::uint32_t layer = 0; layer < passes_.radiance.shape().layers; ++layer)
+        surfaces.passes.push_back(plane_of(passes_.radiance, layer));
+    return surfaces;
+}
+
+LiveSurfaces Relighter::live_surfaces() const {
+    LiveSurfaces surfaces{surface_planes(),
+                          plane_of(normals()),
+                          plane_of(coarse_ ? coarse_->diffuse() : g_buffer_->diffuse()),
+                          plane_of(coarse_ ? coarse_->specular() : g_buffer_->specular()),
+                          {}};
+    for (std::uint32_t layer = 0; visibility_ && layer < visibility_->pages().shape().layers; ++layer)
+        surfaces.pages.push_back(plane_of(visibility_->pages(), layer));
+    return surfaces;
+}
+
+void Relighter::fold_on_processor(const LightPainter& painter, std::vector<DrawnLights> drawn,
+                                  const TileSet* tiles) {
     if (!settings_.air)
         for (DrawnLights& lights : drawn) lights.haze = {};
     const Fragments& f = fragments();
-    const FragmentPlanes planes{.width = static_cast<int>(f.width),
-                                .height = static_cast<int>(f.height),
-                                .drawn = drawn,
-                                .places = plane_of(f.places),
-                                .edges = plane_of(f.edges),
-                                .sources = plane_of(painter.haze_sources),
-                                .edge_count = f.edge_count,
-                                .corners = settings_.beams.beams != Beams::gate};
-    step_on_processor("fold", [&] { fold_fragments(planes); });
+    FragmentPlanes planes{.width = static_cast<int>(f.width),
+                          .height = static_cast<int>(f.height),
+                          .drawn = drawn,
+                          .places = plane_of(f.places),
+                          .edges = plane_of(f.edges),
+                          .sources = plane_of(painter.haze_sources),
+                          .edge_count = f.edge_count,
+                          .corners = settings_.beams.beams != Beams::gate};
+    step_on_processor("fold", [&] {
+        if (tiles) {
+            const auto* room = static_cast<const shared::TileRoom*>(rooms().mapped());
+            for (const std::uint32_t tile : tiles->list())
+                if (room[tile].edges > 0) planes.parts.push_back({room[tile].first_edge, room[tile].edges});
+            if (planes.parts.empty()) return;
+        }
+        fold_fragments(planes);
+    });
 }
 
 void Relighter::add_on_processor(const ImageSum& sum, const std::vector<DrawnLights>& drawn,

@@ -124,19 +124,23 @@ TEST(live_heads, WhatIsKeptGoesWithThem) {
     rig.step(levels(show, 0), 3600);
     (*view)->follow(rig);
     const int count = static_cast<int>(rig.lights(gobos, (*view)->maps()).size());
-    render::Settings little;
+    render::Settings much, little; // shaders, which round alike whether anything is kept or not
+    much.pixels_on_processor = little.pixels_on_processor = false;
     little.visibility_bytes = 1;
-    render::Relighter kept(device(), (*view)->g_buffer(), (*view)->distances(), gobos.images, count, {}),
+    render::Relighter kept(device(), (*view)->g_buffer(), (*view)->distances(), gobos.images, count, much),
+        by_loops(device(), (*view)->g_buffer(), (*view)->distances(), gobos.images, count, {}),
         poor(device(), (*view)->g_buffer(), (*view)->distances(), gobos.images, count, little);
     double made = 0, all = 0;
     for (int frame = 0; frame < 12; ++frame) {
         rig.step(levels(show, 5 * frame), 3600);
         if ((*view)->follow(rig)) {
             kept.touch();
+            by_loops.touch();
             poor.touch();
         }
         const std::vector<shared::Light> lights = rig.lights(gobos, (*view)->maps());
         const render::FrameStatistics statistics = kept.draw(lights);
+        (void)by_loops.draw(lights);
         (void)poor.draw(lights);
         if (frame > 2) {
             made += statistics.made_units;
@@ -145,6 +149,7 @@ TEST(live_heads, WhatIsKeptGoesWithThem) {
         const image::ImageF fresh = picture_of(**view, rig, gobos);
         EXPECT_LT(most_difference(kept.frame(), fresh), 4e-3f) << "frame " << frame;
         EXPECT_EQ(most_difference(poor.frame(), kept.frame()), 0.0f) << "frame " << frame;
+        EXPECT_LT(most_difference(by_loops.frame(), kept.frame()), 2e-3f) << "frame " << frame;
     }
     EXPECT_GT(all, 0);
     EXPECT_LT(made, 0.5 * all) << "one head of ten turns";

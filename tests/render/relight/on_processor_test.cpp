@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // The steps of render/pixels against the shaders of the same names: equal pictures, by less work of the
 // device.
+#include "passes/distance_maps.h"
+#include "render/haze/distance_images.h"
 #include "render/pixels/processor.h"
 #include "render/relight/relighter.h"
+#include "shared/octahedral.h"
 #include "support/g_buffer_picture.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <random>
@@ -64,6 +68,67 @@ Settings foggy() {
     return settings;
 }
 
+Settings surfaces_only(bool processor) {
+    Settings settings = foggy();
+    settings.air = false;
+    settings.ambient = glm::vec3(0.0f);
+    settings.pixels_on_processor = processor;
+    return settings;
+}
+
+void expect_alike(std::size_t kind, const shared::Light& light, const image::ImageF& shader,
+                  const image::ImageF& processor) {
+    SCOPED_TRACE("kind " + std::to_string(kind));
+    const Difference difference = compare(processor, shader);
+    const float brightest = *std::max_element(shader.samples.begin(), shader.samples.end());
+    std::printf("beam kind %zu: brightest %.3f, bias %.4f %%, worst %.4f %%, rms %.4f %% of the mean\n", kind,
+                brightest, 100 * difference.mean_bias, 100 * difference.worst, 100 * difference.rms);
+    EXPECT_GT(brightest, 0.1f);
+    // The device decodes sRGB a bit darker than the formula.
+    EXPECT_LT(difference.worst, light.slide.layer > 0 ? 0.01 : 0.002);
+    EXPECT_LT(std::abs(difference.mean_bias), light.slide.layer > 0 ? 0.005 : 0.0005);
+}
+
+// Everything that a gate can hold, a light each.
+std::vector<shared::Light> beams_of_every_kind(const glm::vec3& at, const glm::vec3& to) {
+    std::vector<shared::Light> kinds(13, aimed_light(at, to, 24, 5000));
+    kinds[1] = aimed_light(at, to, 30, 5000, false);
+    put_gobo(kinds[2], 1, 30);
+    put_gobo(kinds[3], 2, 0);
+    put_gobo(kinds[3], 3, 77);
+    kinds[3].focus_per_m = 0.5f; // far out of focus
+    put_gobo(kinds[4], 1, 10, 0.37f, 2);
+    kinds[4].disc = {2, 0.8f, 0.6f, {0.5f, 0.1f}, 0.4f, 0.03f};
+    kinds[5].split = -0.2f;
+    kinds[5].colour_b = {0.2f, 1.5f, 0.1f};
+    kinds[5].panel_m = 0.4f;
+    kinds[6].iris_radius = 0.5f;
+    kinds[6].rim_fraction = 0.7f;
+    kinds[6].shaped = 2;
+    for (std::size_t k = 0; k < 4; ++k)
+        kinds[6].blade[k] = {
+            {k == 0 ? 1.0f : (k == 2 ? -1.0f : 0.0f), k == 1 ? 1.0f : (k == 3 ? -1.0f : 0.0f)},
+            0.3f + 0.1f * static_cast<float>(k),
+            0.02f * static_cast<float>(k)};
+    scene::Projector projector;
+    put_slide(kinds[7], projector);
+    put_slide(kinds[8], projector);
+    kinds[8].focus_per_m = 0.5f;
+    projector.lens_shift = {0.1f, -0.2f};
+    projector.keystone_deg = {10, -15};
+    projector.contrast = 50;
+    projector.blend = {0.1f, 0, 0.2f, 0.3f};
+    put_slide(kinds[9], projector);
+    put_gobo(kinds[9], 1, 30);
+    kinds[9].iris_radius = 0.6f;
+    kinds[9].iris_depth = 0.05f;
+    kinds[9].shaped = 2;
+    for (shared::Blade& blade : kinds[9].blade) blade.offset = 8;
+    for (std::uint32_t figure = shared::kLineFigure; figure <= shared::kWaveFigure; ++figure)
+        put_figure(kinds[9 + figure], figure, 1.0f);
+    return kinds;
+}
+
 TEST_F(OnProcessor, PicturesFromPasses) {
     if (!has_vectors()) GTEST_SKIP() << "this processor has no AVX2, FMA and F16C";
     std::mt19937 random(7);
@@ -93,6 +158,72 @@ TEST_F(OnProcessor, PicturesFromPasses) {
                     }
                     expect_equal(both[0], both[1]);
                 }
+    }
+}
+
+// At places that are no multiples of eight pixels.
+TEST_F(OnProcessor, SurfacesOfEveryBeam) {
+    if (!has_vectors()) GTEST_SKIP() << "this processor has no AVX2, FMA and F16C";
+    const glm::vec3 at(-1, -3, 6);
+    std::mt19937 random(3);
+    scene::Passes passes = edgy_passes(random, 75, 41);
+    add_pass(passes, at, [](const glm::vec3&) { return glm::vec3(1.0f, 0.5f, 0.2f); });
+    const std::vector<shared::Light> kinds = beams_of_every_kind(at, {0.2f, 4, 2.6f});
+    for (std::size_t kind = 0; kind < kinds.size(); ++kind) {
+        std::array<image::ImageF, 2> both;
+        for (const bool processor : {false, true}) {
+            Relighter relighter(device(), passes, test_gobos(), 1, surfaces_only(processor));
+            const FrameStatistics drawn = relighter.draw({kinds[kind]});
+            EXPECT_GT(drawn.surface_tiles, 10);
+            both[processor ? 1 : 0] = relighter.frame();
+        }
+        expect_alike(kind, kinds[kind], both[0], both[1]);
+    }
+}
+
+// Half of what a lamp shines at is in a shadow, whose edge is soft; what is seen of the lamp is kept after a
+// few frames.
+TEST_F(OnProcessor, SurfacesOfAFreeCamera) {
+    if (!has_vectors()) GTEST_SKIP() << "this processor has no AVX2, FMA and F16C";
+    const glm::vec3 at(-1, -3, 6), to(0.2f, 4, 2.6f);
+    scene::DistanceMaps maps;
+    maps.size = 256;
+    maps.maps.resize(1);
+    maps.maps[0].position_m = at;
+    for (int y = 0; y < maps.size; ++y)
+        for (int x = 0; x < maps.size; ++x) {
+            const glm::vec2 place = (glm::vec2(x, y) + 0.5f) / static_cast<float>(maps.size);
+            const bool before =
+                dot(shared::direction_from_octahedral(place), glm::normalize(to - at)) > 0.7f && x % 16 < 8;
+            maps.maps[0].distance.push_back(before ? glm::packHalf1x16(2.0f) : scene::kNoSurface);
+        }
+    scene::measure(maps.maps[0]);
+    const DistanceImages distances(device(), maps);
+    Report report;
+    const StageModel model(device(), room_with_boards(), report);
+    GBuffer buffer(device(), 189, 97);
+    buffer.draw(model, pose_of(camera_at({0, -10, 3}, {0, 10, 2.5f}, 40, 189, 97)),
+                {glm::vec3(0.0f), foggy().haze});
+    std::vector<shared::Light> kinds = beams_of_every_kind(at, to);
+    for (std::size_t kind = 0; kind < kinds.size(); ++kind) {
+        kinds[kind].map = 1;
+        kinds[kind].disc_radius_m = 0.07f;
+        std::array<image::ImageF, 2> both;
+        for (const bool processor : {false, true}) {
+            Relighter relighter(device(), buffer, &distances, test_gobos(), 1, surfaces_only(processor));
+            FrameStatistics drawn;
+            for (int frame = 3; frame >= 0; --frame) { // turns
+                shared::Light light = kinds[kind];
+                const float turn = 0.02f * static_cast<float>(frame);
+                light.axis_u = std::cos(turn) * kinds[kind].axis_u + std::sin(turn) * kinds[kind].axis_w;
+                light.axis_w = std::cos(turn) * kinds[kind].axis_w - std::sin(turn) * kinds[kind].axis_u;
+                drawn = relighter.draw({light});
+            }
+            EXPECT_GT(drawn.surface_tiles, 10);
+            EXPECT_LT(drawn.direct_units, drawn.surface_tiles / 2);
+            both[processor ? 1 : 0] = relighter.frame();
+        }
+        expect_alike(kind, kinds[kind], both[0], both[1]);
     }
 }
 

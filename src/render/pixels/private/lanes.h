@@ -55,13 +55,17 @@ INLINE_VECTORS F8 to_six(F8 pixels) {
     const F8 six = _mm256_permutevar8x32_ps(pixels, _mm256_setr_epi32(0, 1, 2, 4, 5, 6, 3, 7));
     return _mm256_blend_ps(six, _mm256_setzero_ps(), 0xC0);
 }
-// RGB9E5 of a word in each half of four lanes: rgb, and anything as alpha.
+// RGB9E5: what one of its digits is worth.
+INLINE_VECTORS F8 unit_of_shared_exponents(I8 words) {
+    constexpr int kBias = 127 - 24; // of a float, less that of the format with its nine bits
+    const I8 power = _mm256_add_epi32(_mm256_srli_epi32(words, 27), _mm256_set1_epi32(kBias));
+    return _mm256_castsi256_ps(_mm256_slli_epi32(power, 23));
+}
+// The same of a word in each half of four lanes: rgb, and anything as alpha.
 INLINE_VECTORS F8 unpack_shared_exponents(I8 words) {
     const I8 digits = _mm256_and_si256(_mm256_srlv_epi32(words, _mm256_setr_epi32(0, 9, 18, 0, 0, 9, 18, 0)),
                                        _mm256_set1_epi32(511));
-    constexpr int kBias = 127 - 24; // of a float, less that of the format with its nine bits
-    const I8 power = _mm256_add_epi32(_mm256_srli_epi32(words, 27), _mm256_set1_epi32(kBias));
-    return _mm256_mul_ps(_mm256_cvtepi32_ps(digits), _mm256_castsi256_ps(_mm256_slli_epi32(power, 23)));
+    return _mm256_mul_ps(_mm256_cvtepi32_ps(digits), unit_of_shared_exponents(words));
 }
 
 // Of positive normal numbers; wrong by .0002 at most.
