@@ -220,10 +220,11 @@ struct RigNow {
     std::vector<FixtureNow> fixtures;
     dmx::Universes universes;
     bool from_desk = false;
-    double at_s = 0;        // of the recording
-    double recording_s = 0; // its length; 0: there is none
-    double recorded_s = -1; // of the recording that is made; below 0: none is
-    std::string timecode;   // what is to be said of the time code that is followed; "": nothing
+    double at_s = 0;         // of the recording
+    std::uint64_t seeks = 0; // of the transport: the newest jump that at_s knows of
+    double recording_s = 0;  // its length; 0: there is none
+    double recorded_s = -1;  // of the recording that is made; below 0: none is
+    std::string timecode;    // what is to be said of the time code that is followed; "": nothing
     std::vector<MoverNow> movers;
 };
 

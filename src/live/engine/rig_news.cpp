@@ -38,6 +38,7 @@ void RigNews::publish(const Session& session, const LiveInput& input, const scen
     rig.universes = input.universes();
     rig.from_desk = input.shows_desk();
     rig.at_s = input.at_s();
+    rig.seeks = input.seeks();
     rig.recording_s = input.recording_s();
     rig.timecode = input.timecode_text();
     if (recorded_s) rig.recorded_s = *recorded_s;

@@ -10,6 +10,7 @@
 #include <QCoreApplication>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <iterator>
 #include <map>
@@ -195,7 +196,14 @@ void AppModel::publish_cue(const std::string& name) {
     link_.on_news();
 }
 
-std::uint64_t AppModel::pick(const glm::vec3& from_m, const glm::vec3& way) {
+double AppModel::moment_s() const {
+    const double asked_s = request_.transport.at_s;
+    if (has_jumped() || !std::isfinite(asked_s)) return rig_.at_s;
+    const double from_s = std::max(asked_s, 0.0); // as the engine goes there
+    return rig_.recording_s > 0 ? std::fmod(from_s, rig_.recording_s) : from_s;
+}
+
+std::uint64_t AppModel::pick(const glm::vec3& from_m, const glm::vec3& way, float beside) {
     const std::uint64_t number = request_.pick.number + 1;
     change_request([&](ViewRequest& request) { request.pick = {number, from_m, way}; });
     return number;

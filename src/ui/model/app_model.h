@@ -34,6 +34,11 @@ public:
     bool is_taking_edit() const { return request_.text && request_.text != opened_.text; }
     const Picture& picture() const { return picture_; }
     const RigNow& rig() const { return rig_; }
+    // Of the recording, what the window shows or, after a jump that the engine has not taken yet, is about to
+    // show. rig().at_s is what it shows.
+    double moment_s() const;
+    // Whether the news are of that moment.
+    bool has_jumped() const { return rig_.seeks == request_.transport.seeks; }
     const dmx::Statistics& network() const { return network_; }
     // What is wrong with it, for the show that is open.
     std::vector<scene::Sentence> diagnosis() const { return scene::diagnose(network_, patch_); }
