@@ -74,6 +74,8 @@ public:
     std::optional<std::size_t> stored_camera() const;
     // Nothing happens where it is open or being opened; one that could not be is tried again.
     void open(const std::string& show);
+    // One that was made of the plot that is open as it is: what hands hold and what is selected stay.
+    void open_made_of_plot(const std::string& show);
     bool is_opening() const { return answered_opens_ < request_.opens; }
     // Why the one that was asked for last is not open; the one before may still be.
     const std::optional<Error>& open_error() const { return open_error_; }
@@ -222,6 +224,7 @@ private:
     Recorded recorded_;
 
     ViewRequest request_;
+    std::uint64_t made_of_plot_ = 0;   // number of the last such request
     std::uint64_t answered_opens_ = 0; // the newest that is open, or cannot be
     std::optional<Error> open_error_;
     std::uint64_t settled_ = 0;
