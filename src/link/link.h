@@ -87,6 +87,7 @@ struct Pick {
     std::uint64_t number = 0; // grows with every request; 0: none yet
     glm::vec3 from_m{0};
     glm::vec3 way{0, 1, 0}; // unit vector
+    float beside = 0; // tangent of an angle: a set piece so near the way, before what is met there, is met
 };
 
 // What the window wants to see, whole.

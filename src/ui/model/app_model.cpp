@@ -243,7 +243,7 @@ double AppModel::moment_s() const {
 
 std::uint64_t AppModel::pick(const glm::vec3& from_m, const glm::vec3& way, float beside) {
     const std::uint64_t number = request_.pick.number + 1;
-    change_request([&](ViewRequest& request) { request.pick = {number, from_m, way}; });
+    change_request([&](ViewRequest& request) { request.pick = {number, from_m, way, beside}; });
     return number;
 }
 

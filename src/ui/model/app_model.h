@@ -80,8 +80,8 @@ public:
     // Why the one that was asked for last is not open; the one before may still be.
     const std::optional<Error>& open_error() const { return open_error_; }
     // Asks what is met first on that way; picked_came says it, most often within a frame. Returns the number
-    // of the request: a newer one takes its place.
-    std::uint64_t pick(const glm::vec3& from_m, const glm::vec3& way);
+    // of the request: a newer one takes its place. beside: Pick.
+    std::uint64_t pick(const glm::vec3& from_m, const glm::vec3& way, float beside = 0);
     const Picked& picked() const { return picked_; }
     // Ends a travel.
     void set_camera(const scene::Camera& camera);
