@@ -207,7 +207,7 @@ struct FixtureNow {
     float zoom_deg = 0;
     std::optional<int> gobo;            // slot of the first wheel; nothing: it has none, or it turns
     fixture::Programmer asked;          // what desk or recording ask for, as values that a hand could set
-    bool is_dark_without_hands = false; // whatever is asked (Rig::leave_unasked_dark)
+    bool is_dark_without_hands = false; // as long as none asks for its light (Rig::leave_unasked_dark)
 };
 
 // Values of the axes of a mover, metres or degrees.

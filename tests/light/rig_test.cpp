@@ -357,6 +357,13 @@ TEST(rig, WhoIsLeftDarkIsTold) {
     EXPECT_FALSE(rig.is_left_dark(1)) << "a hand asks";
     EXPECT_FALSE(rig.is_left_dark(2));
     EXPECT_EQ(rig.left_dark(), 1u);
+    fixture::Programmer hand;
+    hand.zoom_deg = 8;
+    hand.colour = vec3(1, 0, 0);
+    hand.channels["Head_Pan"] = 0.25f;
+    rig.step(desk.universes(), 1.0 / 30, {{1, hand}});
+    (void)rig.lit(desk.gobos, desk.passes);
+    EXPECT_TRUE(rig.is_left_dark(1)) << "a hand asks, and not for light";
     EXPECT_TRUE(rig.is_dark_without_hands(1));
     EXPECT_FALSE(rig.is_dark_without_hands(3));
     rig.leave_unasked_dark(false);

@@ -77,6 +77,7 @@ void RigNews::publish(const Session& session, const LiveInput& input, const scen
                      .pan_deg = now.pan_deg,
                      .tilt_deg = now.tilt_deg};
         if (const fixture::Programmer* asked = session.rig->asked(i)) now.asked = *asked;
+        if (session.rig->is_left_dark(i)) now.asked.intensity = 0.0f;
         now.is_dark_without_hands = session.rig->is_dark_without_hands(i);
         rig.fixtures.push_back(now);
     }
