@@ -278,7 +278,7 @@ TEST(ProgrammerPanel, rows_show_what_a_value_above_them_makes_of_them) {
     EXPECT_NEAR(share("Magenta"), 0, 1e-3);
     const QString chosen = meaning("Gobo wheel 1");
     heads.row("Magenta")->on_change(0.5f);
-    heads.row("Gobo 1 turn")->on_change(0.25f);
+    heads.row("Gobo 2 turn")->on_change(0.25f);
     settle();
     const fixture::Programmer& programmer = heads.app.look().fixtures.at(0);
     EXPECT_FALSE(programmer.colour);

@@ -92,6 +92,7 @@ TEST(UndoKeys, a_number_that_is_entered_gives_the_keys_back_to_the_picture) {
     ASSERT_TRUE(number);
     number->setFocus();
     ASSERT_EQ(window.focusWidget(), number);
+    number->selectAll();
     type(*number, Qt::Key_5, "5");
     settle();
     EXPECT_EQ(window.focusWidget(), number) << "it is being typed";
