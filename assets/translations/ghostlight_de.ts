@@ -1480,10 +1480,6 @@
         <translation>Gründe folgen ...</translation>
     </message>
     <message>
-        <source>All %1 that are dark</source>
-        <translation>Alle dunklen: %1</translation>
-    </message>
-    <message>
         <source>%1, %2 selected</source>
         <translation>%1, %2 ausgewählt</translation>
     </message>
@@ -1497,6 +1493,14 @@
     <message>
         <source>file is being read</source>
         <translation>Datei wird gelesen</translation>
+    </message>
+    <message>
+        <source>None is dark</source>
+        <translation>Keiner ist dunkel</translation>
+    </message>
+    <message>
+        <source>Dark: %1</source>
+        <translation>Dunkel: %1</translation>
     </message>
 </context>
 <context>
@@ -2601,6 +2605,14 @@
     <message>
         <source>gobo %1</source>
         <translation>Gobo %1</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Offen</translation>
+    </message>
+    <message>
+        <source>Closed</source>
+        <translation>Geschlossen</translation>
     </message>
 </context>
 <context>
@@ -7050,6 +7062,10 @@ Bitte den Namen des Ordners prüfen.</translation>
     <message>
         <source>nothing is set by hand; &apos;Store what is seen&apos; in Looks stores what a desk or recording does</source>
         <translation>nichts ist von Hand gesetzt; &apos;Bild speichern&apos; unter Looks speichert, was Pult oder Aufzeichnung tun</translation>
+    </message>
+    <message>
+        <source>is empty: there is no show in it</source>
+        <translation>ist leer: darin steht keine Show</translation>
     </message>
 </context>
 <context>

@@ -122,6 +122,7 @@ void Update::find_kept() {
 
     std::vector<std::string> also_right(places_.size());
     tbb::parallel_for(std::size_t{0}, places_.size(), [&](std::size_t k) {
+        if (stopped()) return;
         auto stored = scene::read_distance_map(places_[k].file, options_.size);
         if (!stored.ok()) complaints_[k] = stored.error();
         if (!stored.ok() || !stored->has_value()) return;
@@ -135,6 +136,7 @@ void Update::find_kept() {
         maps_[k].distance = std::move(map.distance);
         right_[k] = 1;
     });
+    if (stopped()) return; // what was not read may be right, and the stage on disk says so
     std::set<std::string> keys(also_right.begin(), also_right.end());
     keys.erase("");
     wanted_.stage.also_right.assign(keys.begin(), keys.end());

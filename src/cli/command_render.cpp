@@ -60,6 +60,7 @@ Result<bool> check_usage(RenderArguments& arguments) {
         eye.position_m = {arguments.eye_m[0], arguments.eye_m[1], arguments.eye_m[2]};
         eye.target_m = {arguments.target_m[0], arguments.target_m[1], arguments.target_m[2]};
         eye.fov_y_deg = arguments.fov_y_deg;
+        eye.auto_exposure = arguments.auto_exposure;
         for (int axis = 0; axis < 3; ++axis)
             if (!(std::abs(eye.position_m[axis]) <= scene::kMaxCoordinate_m &&
                   std::abs(eye.target_m[axis]) <= scene::kMaxCoordinate_m))
@@ -359,6 +360,11 @@ void add_render(CLI::App& app, int& exit_code) {
                              ->capture_default_str();
     CLI::Option* ev = command->add_option("--ev", a->ev100, "exposure EV100 instead of the camera's")
                           ->check(number_in(-10.0, 20.0));
+    command
+        ->add_flag("--auto-exposure", a->auto_exposure,
+                   "a free camera measures its exposure, as one of the show with auto_exposure does")
+        ->needs("--eye")
+        ->excludes(ev);
     add_tone_option(*command, a->session.tone);
     command->add_option("--device", a->session.device, "Vulkan device: part of its name, or its number")
         ->type_name("NAME");

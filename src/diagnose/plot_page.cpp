@@ -63,6 +63,7 @@ struct GeneralLamp {
     const char* label;
     std::array<std::string_view, 8> words;
 };
+constexpr std::array<std::string_view, 4> kKinds{"spot", "profile", "wash", "fresnel"};
 constexpr GeneralLamp kGeneral[] = {
     {"Vari-Lite@VL2500_Spot.gdtf",
      "VL2500 Spot",
@@ -227,8 +228,11 @@ private:
         std::vector<std::pair<int, const GeneralLamp*>> general;
         for (const GeneralLamp& lamp : kGeneral) {
             int shared = 0;
-            for (const std::string_view word : lamp.words)
-                shared += lower(own).find(word) != std::string::npos;
+            for (const std::string_view word : lamp.words) {
+                // A WashBeam is a wash.
+                const bool is_kind = std::find(kKinds.begin(), kKinds.end(), word) != kKinds.end();
+                shared += lower(own).find(word) == std::string::npos ? 0 : is_kind ? 2 : 1;
+            }
             general.push_back({shared, &lamp});
         }
         std::stable_sort(general.begin(), general.end(),

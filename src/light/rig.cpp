@@ -305,13 +305,15 @@ std::vector<LensFace> Rig::faces(std::size_t index, const FixturePose& hung, con
                                            projector_of(index), show_.fixtures[index].shape.get());
     if (walls_[index]) light_wall(index, gobos, faces);
     if (show_.fixtures[index].laser) colour_laser(*show_.fixtures[index].laser, type, states_[index], faces);
-    if (is_dark_without_hands(index) && !programmer_.contains(index)) {
+    const auto programmer = programmer_.find(index);
+    const bool is_lit_by_hand =
+        programmer != programmer_.end() && fixture::asks_for_light(programmer->second, patches_[index]);
+    if (!is_lit_by_hand && is_dark_without_hands(index)) {
         for (LensFace& face : faces) {
             if (face.light.intensity_cd != glm::vec3(0)) left_dark_[index] = true;
             face.light.intensity_cd = face.light.bounce_cd = glm::vec3(0);
         }
     }
-    const auto programmer = programmer_.find(index);
     if (programmer == programmer_.end()) return faces;
     for (std::size_t k = 0; k < faces.size(); ++k) {
         const auto geometry = static_cast<std::size_t>(states_[index].beams[k].geometry);

@@ -41,13 +41,13 @@ public:
     void step(const dmx::Universes& universes, double dt_s,
               const std::map<std::size_t, fixture::Programmer>& programmer = {});
 
-    // Heads whose channels nobody sets, no hand and no desk, give no light, whatever their files have them do
-    // then; their state stays. What walls and projectors show is no such light.
+    // Heads that nobody asks for light, no hand (fixture::asks_for_light) and no desk, give none, whatever
+    // their files have them do then; their state stays. What walls and projectors show is no such light.
     void leave_unasked_dark(bool leave) { leaves_unasked_dark_ = leave; }
     // Whether the last lit() left a fixture dark by that, and how many.
     bool is_left_dark(std::size_t fixture) const { return left_dark_[fixture]; }
     std::size_t left_dark() const;
-    // Whether it is as soon as no hand asks for anything of it.
+    // Whether it is as long as no hand asks for its light.
     bool is_dark_without_hands(std::size_t fixture) const;
 
     // Fixtures go on from where they were in another rig: motors, wheels that turn, lamps. from: for each

@@ -87,6 +87,7 @@ struct Pick {
     std::uint64_t number = 0; // grows with every request; 0: none yet
     glm::vec3 from_m{0};
     glm::vec3 way{0, 1, 0}; // unit vector
+    float beside = 0; // tangent of an angle: a set piece so near the way, before what is met there, is met
 };
 
 // What the window wants to see, whole.
@@ -206,7 +207,7 @@ struct FixtureNow {
     float zoom_deg = 0;
     std::optional<int> gobo;            // slot of the first wheel; nothing: it has none, or it turns
     fixture::Programmer asked;          // what desk or recording ask for, as values that a hand could set
-    bool is_dark_without_hands = false; // whatever is asked (Rig::leave_unasked_dark)
+    bool is_dark_without_hands = false; // as long as none asks for its light (Rig::leave_unasked_dark)
 };
 
 // Values of the axes of a mover, metres or degrees.
@@ -220,10 +221,11 @@ struct RigNow {
     std::vector<FixtureNow> fixtures;
     dmx::Universes universes;
     bool from_desk = false;
-    double at_s = 0;        // of the recording
-    double recording_s = 0; // its length; 0: there is none
-    double recorded_s = -1; // of the recording that is made; below 0: none is
-    std::string timecode;   // what is to be said of the time code that is followed; "": nothing
+    double at_s = 0;         // of the recording
+    std::uint64_t seeks = 0; // of the transport: the newest jump that at_s knows of
+    double recording_s = 0;  // its length; 0: there is none
+    double recorded_s = -1;  // of the recording that is made; below 0: none is
+    std::string timecode;    // what is to be said of the time code that is followed; "": nothing
     std::vector<MoverNow> movers;
 };
 

@@ -255,10 +255,12 @@ Result<ParsedShow> parse_file(const fs::path& path, Report& report) {
                                 !is_file(path) || (text.ok() && text->find("[show]") != std::string::npos);
     const Error no_show{"is no show: a folder with a show.toml, a show.toml, or a plot (.mvr) can be opened",
                         path.string()};
-    if (!text.ok()) return looks_like_one ? text.error() : no_show;
-    Result<ParsedShow> parsed = parse_show(*text, file, report);
-    if (!parsed.ok() && !looks_like_one) return no_show;
-    return parsed;
+    if (!text.ok() && looks_like_one) return text.error();
+    if (!looks_like_one) return no_show;
+    // A disk that was full, or a machine that went off, left it so; what is open is worth more.
+    if (text->find_first_not_of(" \t\r\n") == std::string::npos)
+        return Error{"is empty: there is no show in it", file.string()};
+    return parse_show(*text, file, report);
 }
 
 } // namespace

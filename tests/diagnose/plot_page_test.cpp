@@ -77,6 +77,22 @@ TEST(PlotPage, a_missing_file_has_its_heads_the_likest_other_one_and_lamps_of_it
     EXPECT_EQ(page.found.front().words, "4 fixtures of 2 types, patched in 1 universe");
 }
 
+TEST(PlotPage, a_wash_that_makes_beams_too_is_a_wash) {
+    Plot plot;
+    plot.show.plot->plot.gdtf_files[0].spec = "Test@MMX WashBeam.gdtf";
+    for (int i = 0; i < 3; ++i) {
+        plot.show.plot->plot.objects[static_cast<std::size_t>(i)].device.gdtf_spec = "Test@MMX WashBeam.gdtf";
+        plot.show.fixtures[static_cast<std::size_t>(i)].gdtf = "Test@MMX WashBeam.gdtf";
+    }
+    plot.offers.files = {"lib/Vari-Lite@VL2500_Spot.gdtf", "lib/Vari-Lite@VL2500_Wash.gdtf"};
+    plot.offers.names.clear(); // no likeness of names
+    plot.offers.load = [](std::size_t) { return type_of("Other", {22}); };
+    const PlotPage page = plot_page(plot.show, {}, plot.offers);
+    ASSERT_EQ(page.lightless.size(), 1u);
+    ASSERT_EQ(page.lightless.front().stand_ins.size(), 2u);
+    EXPECT_EQ(page.lightless.front().stand_ins[0].label, "VL2500 Wash (22 ch)");
+}
+
 TEST(PlotPage, names_are_cut_between_letters_and_none_is_no_name) {
     Plot plot;
     plot.show.fixtures[3].type = type_of(std::string(99, 'x') + "\xc3\xa4", {10});

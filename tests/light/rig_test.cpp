@@ -357,6 +357,16 @@ TEST(rig, WhoIsLeftDarkIsTold) {
     EXPECT_FALSE(rig.is_left_dark(1)) << "a hand asks";
     EXPECT_FALSE(rig.is_left_dark(2));
     EXPECT_EQ(rig.left_dark(), 1u);
+    fixture::Programmer zoomed, coloured;
+    zoomed.zoom_deg = 20;
+    coloured.colour = vec3(1, 1, 0);
+    for (const fixture::Programmer& hand : {zoomed, coloured}) {
+        rig.step(desk.universes(), 1.0 / 30, {{1, hand}});
+        const FrameLights lit = rig.lit(desk.gobos, desk.passes);
+        EXPECT_EQ(lit.faces.at(1).light.intensity_cd, vec3(0));
+        EXPECT_TRUE(rig.is_left_dark(1))
+            << "a hand asks, and not for light: " << (hand.colour ? "colour" : "zoom");
+    }
     EXPECT_TRUE(rig.is_dark_without_hands(1));
     EXPECT_FALSE(rig.is_dark_without_hands(3));
     rig.leave_unasked_dark(false);

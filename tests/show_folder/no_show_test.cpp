@@ -31,6 +31,12 @@ TEST(NoShow, what_can_be_opened_is_said_of_what_cannot) {
     EXPECT_EQ(error_of(put("show.toml", "[show\n")).find("is not TOML"), 0u);
     EXPECT_EQ(error_of(put("tour.bak", "[show]\nname = \"a\n")).find("is not TOML"), 0u);
     EXPECT_EQ(error_of(put("tour.old", "[show]\nname = \"a\"\n")), "");
+    // What a full disk left is no show, and what has no size, as files of the system, neither.
+    EXPECT_EQ(error_of(put("show.toml", "")), "is empty: there is no show in it");
+    EXPECT_EQ(error_of(folder), "is empty: there is no show in it");
+    EXPECT_EQ(error_of(put("show.toml", " \n\n")), "is empty: there is no show in it");
+    EXPECT_NE(error_of(put("tour.txt", "")).find(can_be), std::string::npos);
+    EXPECT_NE(error_of(put("list.txt", "[[camera]]\nname = \"a\"\n")).find(can_be), std::string::npos);
     EXPECT_EQ(error_of(folder / "nothing.mp3").find(can_be), std::string::npos) << "it is not there";
 }
 

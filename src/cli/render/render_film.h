@@ -51,6 +51,7 @@ struct RenderArguments {
     std::vector<float> eye_m;
     std::vector<float> target_m;
     float fov_y_deg = 40;
+    bool auto_exposure = false; // of the free camera
     bool no_shadows = false;
     ReferenceArguments reference;
     bool json = false;

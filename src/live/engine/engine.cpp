@@ -190,6 +190,7 @@ SessionOptions Engine::session_options(const std::string& path) const {
     options.parks = true;
     options.keep_hidden = true;
     options.bake = false;
+    options.stop = [this] { return stop_.load(); };
     options.width = 320; // until the window says how large it is
     options.height = 180;
     return options;

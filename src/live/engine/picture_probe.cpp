@@ -122,7 +122,7 @@ void PictureProbe::pick(const ui::Pick& pick, const Session& session) {
     picked.number = pick.number;
     const bake::DenormalsOff mode;
     const bake::Tracer& rays = tracer(session);
-    const bake::Surface surface = surface_on(pick.from_m, pick.way, rays);
+    const bake::Surface surface = surface_near(pick.from_m, pick.way, pick.beside, rays);
     if (surface.instance >= 0) {
         const scene::Instance& instance = rays.stage().instances[static_cast<std::size_t>(surface.instance)];
         picked.hit = true;

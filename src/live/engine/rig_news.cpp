@@ -38,6 +38,7 @@ void RigNews::publish(const Session& session, const LiveInput& input, const scen
     rig.universes = input.universes();
     rig.from_desk = input.shows_desk();
     rig.at_s = input.at_s();
+    rig.seeks = input.seeks();
     rig.recording_s = input.recording_s();
     rig.timecode = input.timecode_text();
     if (recorded_s) rig.recorded_s = *recorded_s;
@@ -76,6 +77,7 @@ void RigNews::publish(const Session& session, const LiveInput& input, const scen
                      .pan_deg = now.pan_deg,
                      .tilt_deg = now.tilt_deg};
         if (const fixture::Programmer* asked = session.rig->asked(i)) now.asked = *asked;
+        if (session.rig->is_left_dark(i)) now.asked.intensity = 0.0f;
         now.is_dark_without_hands = session.rig->is_dark_without_hands(i);
         rig.fixtures.push_back(now);
     }

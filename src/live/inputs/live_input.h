@@ -47,6 +47,7 @@ public:
     const dmx::Universes& desk() const { return desk_; } // heard, shown or not
     bool shows_desk() const { return shows_desk_; }
     double at_s() const { return at_s_; }
+    std::uint64_t seeks() const { return seeks_; } // the last jump of the transport that was made
     // "time code freewheels since 0.4 s"; "" while it runs, and where none is followed.
     std::string timecode_text() const {
         return timecode_ ? dmx::chase_text(timecode_->status()) : std::string();

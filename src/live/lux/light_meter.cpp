@@ -6,12 +6,16 @@
 #include "show/camera_moves.h"
 
 #include <cmath>
+#include <limits>
 #include <memory>
+#include <numbers>
 
 namespace ghost::app {
 namespace {
 
-constexpr std::uint64_t kFewImages = 1; // bytes: it keeps none
+constexpr int kRings = 4, kRaysOfRing = 12; // of surface_near
+constexpr float kBefore_m = 0.1f;           // what is less before another thing is at it
+constexpr std::uint64_t kFewImages = 1;     // bytes: it keeps none
 
 // One more relighter of the session, for it has to hear of what moves in the picture as the others do.
 void make_lux_light(Session& session) {
@@ -54,6 +58,31 @@ image::ImageF luminance_of(const image::ImageF& frame) {
 bake::Surface surface_on(const glm::vec3& from_m, const glm::vec3& way, const bake::Tracer& tracer) {
     // Half of what blended surfaces cover is seen.
     return tracer.first_hit(from_m, way, 0.5f, bake::Sees::everything);
+}
+
+bake::Surface surface_near(const glm::vec3& from_m, const glm::vec3& way, float beside,
+                           const bake::Tracer& tracer) {
+    const bake::Surface met = surface_on(from_m, way, tracer);
+    const glm::vec3 along = std::abs(way.z) < 0.9f ? glm::vec3(0, 0, 1) : glm::vec3(1, 0, 0);
+    const glm::vec3 u = glm::normalize(glm::cross(way, along)), v = glm::cross(u, way);
+    const float before_m =
+        met.instance < 0 ? std::numeric_limits<float>::infinity() : met.distance_m - kBefore_m;
+    for (int ring = 1; ring <= kRings && beside > 0; ++ring) {
+        const float radius = beside * static_cast<float>(ring) / kRings;
+        bake::Surface nearest = met;
+        float nearest_m = before_m;
+        for (int k = 0; k < kRaysOfRing; ++k) {
+            const float turn = 2 * std::numbers::pi_v<float> * static_cast<float>(k) / kRaysOfRing;
+            const glm::vec3 ray = glm::normalize(way + radius * (std::cos(turn) * u + std::sin(turn) * v));
+            const bake::Surface one = surface_on(from_m, ray, tracer);
+            if (one.instance < 0 || one.instance == met.instance || one.distance_m >= nearest_m) continue;
+            if (tracer.stage().instances[static_cast<std::size_t>(one.instance)].fixture >= 0) continue;
+            nearest = one;
+            nearest_m = one.distance_m;
+        }
+        if (nearest_m < before_m) return nearest;
+    }
+    return met;
 }
 
 bake::Surface surface_at(const scene::Camera& camera, const glm::vec2& place, const bake::Tracer& tracer) {

@@ -25,6 +25,10 @@ image::ImageF luminance_of(const image::ImageF& frame);
 // What an eye sees on its way (a unit vector), or a camera through a point of its picture, (0, 0) its top
 // left corner; instance -1: nothing but air.
 bake::Surface surface_on(const glm::vec3& from_m, const glm::vec3& way, const bake::Tracer& tracer);
+// The same, but for a set piece that stands before it and is so near the way, by the tangent of the angle:
+// through a lattice the way itself most often goes on.
+bake::Surface surface_near(const glm::vec3& from_m, const glm::vec3& way, float beside,
+                           const bake::Tracer& tracer);
 bake::Surface surface_at(const scene::Camera& camera, const glm::vec2& place, const bake::Tracer& tracer);
 struct Lux {
     float all = 0;

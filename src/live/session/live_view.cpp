@@ -21,6 +21,9 @@
 namespace ghost::app {
 namespace {
 
+// Of a picture, for the maps that came meanwhile; the rest waits for the next one. A few hundred at once
+// would hold up the picture, another show and the end of the window for as long as they take.
+constexpr double kTakeMaps_s = 0.02;
 constexpr float kFlightError_px = 1; // of the stage, which is seen from there for a moment
 
 // 2 MB a light, and from kManyLights on half a megabyte: shadows get coarser, not fewer. The same where the
@@ -100,8 +103,7 @@ LiveView::LiveView(const gpu::Device& device, const scene::Show& show, scene::St
 Result<std::unique_ptr<LiveView>> LiveView::open(const gpu::Device& device, scene::Show& show,
                                                  const scene::Camera& camera, const LiveOptions& options,
                                                  Report& report) {
-    // A command ends here; a window, which has its maps made in the background, closes by itself.
-    const auto ends = [&] { return !options.maps_in_background && interrupted(); };
+    const auto ends = [&] { return options.stop && options.stop(); };
     const Error interruption{"interrupted while opening the stage", ""};
     load_stage(show, report);
     if (ends()) return interruption;
@@ -190,16 +192,18 @@ bool LiveView::take_maps(Report& report) {
     if (!maker_) return false;
     bool replaced = false;
     const std::size_t missing_before = missing_maps_;
-    for (MapMaker::Made& made : maker_->take()) {
-        if (made.index >= maps_.maps.size()) continue; // left out
-        distances_->set(made.index, made.map.distance);
-        scene::DistanceMap& place = maps_.maps[made.index];
+    const double begin_s = steady_now_s();
+    while (auto made = maker_->take()) {
+        if (made->index >= maps_.maps.size()) continue; // left out
+        distances_->set(made->index, made->map.distance);
+        scene::DistanceMap& place = maps_.maps[made->index];
         if (place.fixture.empty())
             --missing_maps_;
         else
             replaced = true;
-        place = std::move(made.map);
+        place = std::move(made->map);
         place.distance = {};
+        if (steady_now_s() - begin_s >= kTakeMaps_s) break;
     }
     distances_->finish();
     if (missing_maps_ == 0 && missing_before > 0)

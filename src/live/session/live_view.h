@@ -35,6 +35,7 @@ struct LiveOptions {
     bool quiet = false;
     bool keep_hidden = false;           // hidden objects stay, so that they can be shown
     std::optional<Atmosphere> air = {}; // nothing: the show's
+    std::function<bool()> stop = {};    // ends the opening with an error; nothing: never
 };
 
 class LiveView {
@@ -93,8 +94,9 @@ public:
     // So far from where the show has them; the picture shows it after follow(). The distance maps of the
     // lights that see them are made again in the background, as often as they get finished.
     void move_tracked(const std::vector<std::string>& patterns, const glm::vec3& by_m);
-    // Uploads the distance maps that were finished in the background. True: one of them replaced another,
-    // so that images of lights which did not change are wrong. What went wrong goes to the report.
+    // Uploads distance maps that were finished in the background, for a part of a picture's time. True: one
+    // of them replaced another, so that images of lights which did not change are wrong. What went wrong goes
+    // to the report.
     bool take_maps(Report& report);
     // Of a show with movers, whose maps are made as they are needed: what these lights, of follow's rig, see
     // now. True: a light that did not change itself has another image.

@@ -20,9 +20,12 @@ MapMaker::~MapMaker() {
     thread_.join();
 }
 
-std::vector<MapMaker::Made> MapMaker::take() {
+std::optional<MapMaker::Made> MapMaker::take() {
     const std::lock_guard lock(mutex_);
-    return std::exchange(queue_, {});
+    if (queue_.empty()) return std::nullopt;
+    Made next = std::move(queue_.front());
+    queue_.pop_front();
+    return next;
 }
 
 std::optional<MapMaker::Outcome> MapMaker::outcome() {

@@ -12,6 +12,7 @@
 
 #include <atomic>
 #include <cstddef>
+#include <deque>
 #include <mutex>
 #include <optional>
 #include <set>
@@ -42,9 +43,9 @@ public:
     MapMaker(const MapMaker&) = delete;
     MapMaker& operator=(const MapMaker&) = delete;
 
-    // What was finished since the last call; never waits for a map.
-    std::vector<Made> take();
-    // Once, after everything is finished; take() comes first.
+    // The next one that is finished; never waits for it.
+    std::optional<Made> take();
+    // Once, after everything is finished and taken.
     std::optional<Outcome> outcome();
 
 private:
@@ -56,7 +57,7 @@ private:
     std::set<std::size_t> delivered_; // of the thread
     std::atomic<bool> stop_{false};
     std::mutex mutex_; // of the two below
-    std::vector<Made> queue_;
+    std::deque<Made> queue_;
     std::optional<Outcome> outcome_;
     std::thread thread_; // the last member: it uses all others
 };

@@ -498,7 +498,11 @@ Result<std::unique_ptr<Session>> open_session(const SessionOptions& asked, scene
     print_report(report, printed);
     printed = report.messages.size();
 
-    if (!options.maps_in_background && interrupted()) return Error{"interrupted: nothing is drawn", ""};
+    const auto ends = [&] {
+        return options.stop ? options.stop() : !options.maps_in_background && interrupted();
+    };
+    const Error interruption{"interrupted: nothing is drawn", ""};
+    if (ends()) return interruption;
     TRY(session->device,
         gpu::Device::create({options.device, options.validation, options.memory_limit_bytes, options.shaders,
                              options.pipeline_statistics, options.lowered_limits, options.workers}));
@@ -507,12 +511,17 @@ Result<std::unique_ptr<Session>> open_session(const SessionOptions& asked, scene
     session->rig->movers().drive(session->movers);
     const render::Settings settings = draw_settings(session->atmosphere(), camera, options);
     if (options.live) {
-        const LiveOptions live{options.shadows && session->show->shadows, options.maps_in_background,
-                               options.quiet, options.keep_hidden, session->atmosphere()};
+        const LiveOptions live{options.shadows && session->show->shadows,
+                               options.maps_in_background,
+                               options.quiet,
+                               options.keep_hidden,
+                               session->atmosphere(),
+                               ends};
         TRY(session->live, LiveView::open(*session->device, *session->show, camera, live, report));
         scene::check_places(*session->show, session->live->stage(), {&camera, 1}, report);
         print_report(report, printed);
     }
+    if (options.stop && options.stop()) return interruption;
     const auto light_count = static_cast<int>(session->lit().lights.size());
     session->relighter =
         options.live ? std::make_unique<render::Relighter>(*session->device, session->live->g_buffer(),

@@ -132,7 +132,7 @@ Result<void> CueList::add(const QString& name, const QString& look) {
     if (!cue.look.empty()) TRY_VOID(scene::find_look(looks_.all(), cue.look));
     // Without a look it is the moment of the recording, or else the camera.
     if (cue.look.empty() && app_.rig().recording_s > 0 && !app_.rig().from_desk)
-        cue.at_s = std::round(app_.rig().at_s * 10) / 10;
+        cue.at_s = std::round(app_.moment_s() * 10) / 10;
     else if (cue.look.empty())
         cue.camera = app_.show()->cameras.empty() ? "" : app_.show()->cameras.front().name;
     const auto is_taken = [&](const std::string& wanted) {

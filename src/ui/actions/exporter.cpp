@@ -89,12 +89,18 @@ QStringList Exporter::eye_arguments(int width, int height) const {
     camera.width = width;
     camera.height = height;
     camera = scene::with_frame(camera, frame);
-    const float ev100 = camera.auto_exposure ? app_.picture().ev100 : camera.ev100;
+    // What was measured is of the picture, and that may be of the moment before a jump.
+    const bool is_measured = camera.auto_exposure && app_.has_jumped();
+    const float ev100 = is_measured ? app_.picture().ev100 : camera.ev100;
     QStringList words{"--eye"};
     for (int axis = 0; axis < 3; ++axis) words << metres(camera.position_m[axis]);
     words << "--target";
     for (int axis = 0; axis < 3; ++axis) words << metres(camera.target_m[axis]);
-    words << "--fov" << metres(camera.fov_y_deg) << "--ev" << metres(ev100);
+    words << "--fov" << metres(camera.fov_y_deg);
+    if (camera.auto_exposure && !is_measured)
+        words << "--auto-exposure";
+    else
+        words << "--ev" << metres(ev100);
     return words;
 }
 
@@ -159,7 +165,7 @@ Result<int> Exporter::render(const PictureRequest& request) {
         words << "--from" << QString::number(request.from_s) << "--to" << QString::number(request.to_s)
               << "--fps" << QString::number(request.fps);
     } else if (plays) {
-        words << "--at" << QString::number(app_.rig().at_s);
+        words << "--at" << QString::number(app_.moment_s());
     }
     TRY(const QStringList look, look_arguments(!request.farm.isEmpty()));
     if (!plays && look.isEmpty())
@@ -181,7 +187,7 @@ Result<int> Exporter::sheet(const QString& file, int width, int height) {
                       "--size", QString("%1x%2").arg(width).arg(height)};
     // What looks leave alone does what the window's recording does now.
     const bool plays = !app_.show()->recording.empty() && !app_.rig().from_desk;
-    if (plays && app_.request().recording.empty()) words << "--at" << QString::number(app_.rig().at_s);
+    if (plays && app_.request().recording.empty()) words << "--at" << QString::number(app_.moment_s());
     words += tone_arguments();
     return app_.jobs().start(translated("Jobs", "Contact sheet %1").arg(QFileInfo(file).fileName()), words);
 }

@@ -27,7 +27,7 @@ struct PictureRequest {
     QString camera; // empty: as the window sees it, drawn live; else from the passes of that camera
     int width = 1920, height = 1080; // where it is drawn live; passes have their own size
     int supersample = 1;             // likewise
-    double from_s = -1, to_s = -1;   // of a film; below 0: a still of where the recording is now
+    double from_s = -1, to_s = -1;   // of a film; below 0: a still of AppModel::moment_s
     int fps = 30;
     QString farm; // of a film; likewise
 };

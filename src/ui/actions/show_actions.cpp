@@ -125,10 +125,17 @@ Result<void> import_plot(AppModel& app, const QString& plot) {
     const int number = app.jobs().start(translated("Jobs", "import %1").arg(QFileInfo(plot).fileName()),
                                         {"import", plot, "-o", folder});
     auto* const waits = new QObject(&app);
-    QObject::connect(&app.jobs(), &Jobs::ended, waits, [&app, waits, number, folder](const Job& job) {
+    QObject::connect(&app.jobs(), &Jobs::ended, waits, [&app, waits, number, plot, folder](const Job& job) {
         if (job.number != number) return;
         waits->deleteLater();
-        if (job.state == Job::State::done) app.open(folder.toStdString());
+        if (job.state != Job::State::done) return;
+        std::error_code code;
+        const bool is_seen = app.show() && app.show()->file == app.show()->plot_file &&
+                             fs::equivalent(app.show()->file, plot.toStdString(), code);
+        if (is_seen)
+            app.open_made_of_plot(folder.toStdString());
+        else
+            app.open(folder.toStdString());
     });
     return {};
 }

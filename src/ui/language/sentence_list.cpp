@@ -660,6 +660,7 @@ constexpr const char* kSentences[] = {
     QT_TRANSLATE_NOOP("Sentence", "%1 fixture is left out, more than 10 km from most of the plot: no picture "
                                   "holds both: %2"),
     QT_TRANSLATE_NOOP("Sentence", "objects more than 10 km from most of the plot are left out: %1"),
+    QT_TRANSLATE_NOOP("Sentence", "is empty: there is no show in it"),
     QT_TRANSLATE_NOOP("Sentence",
                       "is no show: a folder with a show.toml, a show.toml, or a plot (.mvr) can be opened"),
     QT_TRANSLATE_NOOP("Sentence", "objects with edges of more than two triangles, of which none is inside or "

@@ -10,6 +10,7 @@
 #include <QCoreApplication>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <iterator>
 #include <map>
@@ -41,6 +42,44 @@ RigNow rig_of(const scene::Show& show, const scene::Show& drawn, RigNow rig) {
     }
     rig.fixtures = std::move(at_home.fixtures);
     return rig;
+}
+
+// By index of the one what is by index of the other: for each, where its like stands. Same: whether it is at
+// the same number; else the first that is called so.
+template <class T, class F>
+std::optional<std::size_t> place_of(std::size_t index, const std::vector<T>& before,
+                                    const std::vector<T>& now, F&& is_same) {
+    if (index >= before.size()) return std::nullopt;
+    if (index < now.size() && is_same(before[index], now[index])) return index;
+    const auto found =
+        std::find_if(now.begin(), now.end(), [&](const T& one) { return is_same(before[index], one); });
+    return found == now.end() ? std::nullopt : std::optional(static_cast<std::size_t>(found - now.begin()));
+}
+
+std::optional<std::size_t> fixture_of(std::size_t index, const Opened& before, const Opened& now) {
+    return place_of(index, before.show->fixtures, now.show->fixtures,
+                    [](const scene::PatchedFixture& a, const scene::PatchedFixture& b) {
+                        return a.uuid == b.uuid && (!a.uuid.empty() || a.name == b.name);
+                    });
+}
+
+// What a show that was made of a plot has of it. (A plot alone has no movers.)
+Look carried(const Look& look, const Opened& before, const Opened& now) {
+    const auto is_called_so = [](const auto& a, const auto& b) { return a.name == b.name; };
+    Look carried;
+    carried.scene = look.scene;
+    carried.haze_samples = look.haze_samples;
+    for (const auto& [index, programmer] : look.fixtures)
+        if (const auto place = fixture_of(index, before, now)) carried.fixtures[*place] = programmer;
+    for (const std::size_t index : look.solo)
+        if (const auto place = fixture_of(index, before, now)) carried.solo.insert(*place);
+    for (const auto& [index, shown] : look.shown)
+        if (const auto place = place_of(index, before.objects, now.objects, is_called_so))
+            carried.shown[*place] = shown;
+    for (const auto& [index, surface] : look.surfaces)
+        if (const auto place = place_of(index, before.materials, now.materials, is_called_so))
+            carried.surfaces[*place] = surface;
+    return carried;
 }
 
 } // namespace
@@ -195,9 +234,16 @@ void AppModel::publish_cue(const std::string& name) {
     link_.on_news();
 }
 
-std::uint64_t AppModel::pick(const glm::vec3& from_m, const glm::vec3& way) {
+double AppModel::moment_s() const {
+    const double asked_s = request_.transport.at_s;
+    if (has_jumped() || !std::isfinite(asked_s)) return rig_.at_s;
+    const double from_s = std::max(asked_s, 0.0); // as the engine goes there
+    return rig_.recording_s > 0 ? std::fmod(from_s, rig_.recording_s) : from_s;
+}
+
+std::uint64_t AppModel::pick(const glm::vec3& from_m, const glm::vec3& way, float beside) {
     const std::uint64_t number = request_.pick.number + 1;
-    change_request([&](ViewRequest& request) { request.pick = {number, from_m, way}; });
+    change_request([&](ViewRequest& request) { request.pick = {number, from_m, way, beside}; });
     return number;
 }
 
@@ -205,7 +251,7 @@ void AppModel::take_opened(Opened opened) {
     drawn_ = opened.show;
     // An edit later than this one is shown already.
     if (opened.is_edit && opened.text != request_.text) return;
-    opened_ = std::move(opened);
+    const Opened before = std::exchange(opened_, std::move(opened));
     if (opened_.is_edit) {
         show_edit();
         return;
@@ -216,14 +262,21 @@ void AppModel::take_opened(Opened opened) {
     waveform_.clear();
     flight_.stop();
     undo_.clear();
+    const bool keeps_hands =
+        std::exchange(made_of_plot_, 0) == opened_.opens && opened_.opens > 0 && before.show && opened_.show;
+    std::set<std::size_t> selection;
+    for (const std::size_t index : selection_)
+        if (const auto place = keeps_hands ? fixture_of(index, before, opened_) : std::nullopt)
+            selection.insert(*place);
     put_selection({});
+    put_selection(std::move(selection));
     rig_ = opened_.show ? rig_at_home(*opened_.show) : RigNow{};
     explained_ = {};
     hovered_.reset();
     verdicts_.clear();
     camera_pictures_.clear();
     fader_.forget();
-    look_ = request_.look = {};
+    look_ = request_.look = keeps_hands ? carried(look_, before, opened_) : Look{};
     request_.explained.reset();
     request_.stops_bounce = false;
     request_.hovered.reset();
@@ -236,6 +289,10 @@ void AppModel::take_opened(Opened opened) {
         request_.motion.reset();
     }
     Q_EMIT opened_show(); // the view says how large it is, and from where it looks
+    if (keeps_hands) {
+        show_look();
+        change_request([&](ViewRequest& request) { request.explained = current(); });
+    }
     Q_EMIT selection_changed();
     Q_EMIT look_changed();
 }
@@ -253,6 +310,11 @@ void AppModel::open(const std::string& show) {
         request.show = named;
         ++request.opens;
     });
+}
+
+void AppModel::open_made_of_plot(const std::string& show) {
+    open(show);
+    made_of_plot_ = request_.opens;
 }
 
 void AppModel::set_camera(const scene::Camera& camera) {

@@ -34,6 +34,11 @@ public:
     bool is_taking_edit() const { return request_.text && request_.text != opened_.text; }
     const Picture& picture() const { return picture_; }
     const RigNow& rig() const { return rig_; }
+    // Of the recording, what the window shows or, after a jump that the engine has not taken yet, is about to
+    // show. rig().at_s is what it shows.
+    double moment_s() const;
+    // Whether the news are of that moment.
+    bool has_jumped() const { return rig_.seeks == request_.transport.seeks; }
     const dmx::Statistics& network() const { return network_; }
     // What is wrong with it, for the show that is open.
     std::vector<scene::Sentence> diagnosis() const { return scene::diagnose(network_, patch_); }
@@ -69,12 +74,14 @@ public:
     std::optional<std::size_t> stored_camera() const;
     // Nothing happens where it is open or being opened; one that could not be is tried again.
     void open(const std::string& show);
+    // One that was made of the plot that is open as it is: what hands hold and what is selected stay.
+    void open_made_of_plot(const std::string& show);
     bool is_opening() const { return answered_opens_ < request_.opens; }
     // Why the one that was asked for last is not open; the one before may still be.
     const std::optional<Error>& open_error() const { return open_error_; }
     // Asks what is met first on that way; picked_came says it, most often within a frame. Returns the number
-    // of the request: a newer one takes its place.
-    std::uint64_t pick(const glm::vec3& from_m, const glm::vec3& way);
+    // of the request: a newer one takes its place. beside: Pick.
+    std::uint64_t pick(const glm::vec3& from_m, const glm::vec3& way, float beside = 0);
     const Picked& picked() const { return picked_; }
     // Ends a travel.
     void set_camera(const scene::Camera& camera);
@@ -217,6 +224,7 @@ private:
     Recorded recorded_;
 
     ViewRequest request_;
+    std::uint64_t made_of_plot_ = 0;   // number of the last such request
     std::uint64_t answered_opens_ = 0; // the newest that is open, or cannot be
     std::optional<Error> open_error_;
     std::uint64_t settled_ = 0;

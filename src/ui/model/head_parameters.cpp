@@ -125,6 +125,13 @@ QString name_of(const ChannelFunction& function) {
     return attribute_words(function.attribute.empty() ? function.name : function.attribute);
 }
 
+// Of a function that means one thing only, all over its range.
+QString choice_of(const ChannelFunction& function) {
+    if (function.meaning.role != Role::shutter || function.physical_from != function.physical_to) return {};
+    return function.physical_from > 0.5f ? translated("Parameter", "Open")
+                                         : translated("Parameter", "Closed");
+}
+
 std::vector<ParameterRange> ranges_of(const Channel& channel) {
     std::vector<ParameterRange> ranges;
     for (const ChannelFunction& function : channel.functions) {
@@ -135,9 +142,10 @@ std::vector<ParameterRange> ranges_of(const Channel& channel) {
                               share_of(channel, set.dmx_to), function.wheel, set.slot});
             named = true;
         }
+        const QString choice = choice_of(function);
         if (!named)
-            ranges.push_back({name_of(function), share_of(channel, function.dmx_from),
-                              share_of(channel, function.dmx_to)});
+            ranges.push_back({choice.isEmpty() ? name_of(function) : choice,
+                              share_of(channel, function.dmx_from), share_of(channel, function.dmx_to)});
     }
     return ranges;
 }
@@ -180,6 +188,7 @@ QString meaning_of(const Channel& channel, std::uint32_t raw) {
         for (const fixture::ChannelSet& set : function.sets)
             if (raw >= set.dmx_from && raw <= set.dmx_to && !set.name.empty())
                 return QString::fromStdString(set.name);
+        if (const QString choice = choice_of(function); !choice.isEmpty()) return choice;
         const double share =
             function.dmx_to > function.dmx_from
                 ? static_cast<double>(raw - function.dmx_from) / (function.dmx_to - function.dmx_from)
@@ -191,6 +200,66 @@ QString meaning_of(const Channel& channel, std::uint32_t raw) {
         return QString::number(physical, 'f', std::abs(physical) < 10 ? 1 : 0) + unit;
     }
     return "";
+}
+
+// The fraction of a colour that a channel lets through or adds; nothing: it has no part in the mix.
+std::optional<float> share_of_mix(const fixture::Attribute& meaning, const glm::vec3& colour) {
+    switch (meaning.role) {
+    case Role::color_sub_c:
+        return 1 - colour.r;
+    case Role::color_sub_m:
+        return 1 - colour.g;
+    case Role::color_sub_y:
+        return 1 - colour.b;
+    case Role::color_sub_r:
+        return std::min(colour.r, 1 - std::max(colour.g, colour.b));
+    case Role::color_sub_g:
+        return std::min(colour.g, 1 - std::max(colour.r, colour.b));
+    case Role::color_sub_b:
+        return std::min(colour.b, 1 - std::max(colour.r, colour.g));
+    case Role::color_add:
+    case Role::color_rgb:
+        switch (meaning.letter) {
+        case 'R':
+            return colour.r;
+        case 'G':
+            return colour.g;
+        case 'B':
+            return colour.b;
+        case 'C':
+            return meaning.role == Role::color_rgb ? 1 - colour.r : 0.0f;
+        case 'M':
+            return meaning.role == Role::color_rgb ? 1 - colour.g : 0.0f;
+        case 'Y':
+            return meaning.role == Role::color_rgb ? 1 - colour.b : 0.0f;
+        default:
+            return 0.0f;
+        }
+    case Role::cct: // out of the beam
+        return meaning.letter == 'O' || meaning.letter == 'B' ? std::optional(0.0f) : std::nullopt;
+    default:
+        return std::nullopt;
+    }
+}
+
+// In the middle of where a function has that slot of its wheel.
+std::optional<float> share_of_slot(const Channel& channel, Role role, int wheel, int slot) {
+    for (const ChannelFunction& function : channel.functions) {
+        if (function.meaning.role != role || (wheel >= 0 && function.wheel != wheel)) continue;
+        for (const fixture::ChannelSet& set : function.sets)
+            if (set.slot == slot)
+                return 0.5f * (share_of(channel, set.dmx_from) + share_of(channel, set.dmx_to));
+    }
+    return std::nullopt;
+}
+
+std::optional<float> share_when_open(const Channel& channel) {
+    for (const ChannelFunction& function : channel.functions)
+        if (function.meaning.role == Role::shutter && function.physical_to > 0.5f)
+            return function.physical_from > 0.5f
+                       ? 0.5f * (share_of(channel, function.dmx_from) + share_of(channel, function.dmx_to))
+                       : share_of(channel, function.dmx_to);
+    return std::nullopt;
 }
 
 } // namespace
@@ -274,6 +343,28 @@ std::vector<HeadParameter> parameters_of(const scene::Show& show, const std::set
     return parameters;
 }
 
+std::optional<float> share_by_value(const fixture::Programmer& programmer, const Channel& channel,
+                                    int gobo_wheel) {
+    const Role role = role_of(channel);
+    if (programmer.colour && group_of_role(role) == "Colour") {
+        if (const auto slot = share_of_slot(channel, Role::color_wheel, -1, 0)) return slot;
+        for (const ChannelFunction& function : channel.functions)
+            if (const auto share = share_of_mix(function.meaning, *programmer.colour))
+                return std::clamp(*share, 0.0f, 1.0f);
+    }
+    if (programmer.gobo) {
+        const bool is_first =
+            std::any_of(channel.functions.begin(), channel.functions.end(),
+                        [&](const ChannelFunction& one) { return one.wheel == gobo_wheel; });
+        if (is_first || *programmer.gobo == 0) // the others are open with it
+            if (const auto slot =
+                    share_of_slot(channel, Role::gobo_wheel, is_first ? gobo_wheel : -1, *programmer.gobo))
+                return slot;
+    }
+    if (programmer.intensity && group_of_role(role) == "Shutter") return share_when_open(channel);
+    return std::nullopt;
+}
+
 std::vector<std::optional<ParameterValue>> values_of(const scene::PatchedFixture& fixture,
                                                      const fixture::Programmer& programmer,
                                                      const fixture::Levels& levels,
@@ -283,6 +374,7 @@ std::vector<std::optional<ParameterValue>> values_of(const scene::PatchedFixture
     const fixture::Patch patch = fixture.patch();
     const std::vector<Channel>& channels = patch.mode_of().channels;
     const std::vector<fixture::ChannelReading> readings = fixture::read_channels(patch, levels);
+    const int gobo_wheel = programmer.gobo ? gobo_wheel_of(fixture) : -1;
     for (std::size_t i = 0; i < parameters.size(); ++i) {
         const auto found = std::find_if(channels.begin(), channels.end(), [&](const Channel& one) {
             return attribute_of(one) == parameters[i].attribute;
@@ -290,10 +382,16 @@ std::vector<std::optional<ParameterValue>> values_of(const scene::PatchedFixture
         if (found == channels.end()) continue;
         const auto by_hand = programmer.channels.find(found->name);
         const bool is_by_hand = by_hand != programmer.channels.end();
-        const std::uint32_t raw = is_by_hand
+        // A shutter by hand is moved whatever the intensity; all else gives way to what stands above it.
+        const bool is_of_shutter = group_of(*found) == "Shutter";
+        const std::optional<float> above =
+            is_by_hand && is_of_shutter ? std::nullopt : share_by_value(programmer, *found, gobo_wheel);
+        const std::uint32_t raw = above ? fixture::raw_of(*found, *above)
+                                  : is_by_hand
                                       ? fixture::raw_of(*found, by_hand->second)
                                       : readings[static_cast<std::size_t>(found - channels.begin())].raw;
-        values[i] = {share_of(*found, raw), is_by_hand, meaning_of(*found, raw)};
+        values[i] = {share_of(*found, raw), is_by_hand || above, meaning_of(*found, raw),
+                     above && is_of_shutter};
     }
     return values;
 }

@@ -42,17 +42,24 @@ struct HeadParameter {
 // that has it.
 std::vector<HeadParameter> parameters_of(const scene::Show& show, const std::set<std::size_t>& selection);
 
-// Share of its range that an attribute gets, by hand or from these levels, and whether by hand.
+// Share of its range that an attribute gets, by hand or from these levels, and whether by hand: what stands
+// above channels (a colour, a gobo, an intensity that opens the shutter) as those channels would have it.
 struct ParameterValue {
     float share = 0;
     bool by_hand = false;
-    QString words; // what it means: "Leaves", "Strobe 3.2 Hz"
+    QString words;            // what it means: "Leaves", "Strobe 3.2 Hz"
+    bool is_of_other = false; // by hand with another value alone: a shutter that an intensity opens
 };
 // In the order of the parameters; nothing: the fixture does not have it.
 std::vector<std::optional<ParameterValue>> values_of(const scene::PatchedFixture& fixture,
                                                      const fixture::Programmer& programmer,
                                                      const fixture::Levels& levels,
                                                      const std::vector<HeadParameter>& parameters);
+
+// What a value that stands above its channels (fixture/programmer.h) would have this one at; nothing: none
+// does, or no place of it means that. gobo_wheel: gobo_wheel_of.
+std::optional<float> share_by_value(const fixture::Programmer& programmer, const fixture::Channel& channel,
+                                    int gobo_wheel);
 
 // Type::wheels: the one whose slots fixture::gobo_names() lists; -1: there is none.
 int gobo_wheel_of(const scene::PatchedFixture& fixture);

@@ -57,6 +57,14 @@ float in_reach(const scene::PatchedFixture& fixture, const Number& row, float nu
     return reach ? std::clamp(number, reach->low, reach->high) : number;
 }
 
+// What a colour or a gobo stood for goes on by its channels, when one of these is moved.
+void to_channels(const fixture::Patch& patch, const QString& group, int gobo_wheel, Programmer& programmer) {
+    for (const Channel& channel : patch.mode_of().channels)
+        if (!channel.offsets.empty() && group_of(channel) == group)
+            if (const auto share = share_by_value(programmer, channel, gobo_wheel))
+                programmer.channels[channel.name] = *share;
+}
+
 } // namespace
 
 bool has_value(const scene::PatchedFixture& fixture, const std::string& word) {
@@ -114,16 +122,24 @@ void set_parameter(const scene::PatchedFixture& fixture, const std::string& attr
                    std::optional<float> share, Programmer& programmer) {
     if (!fixture.type) return;
     const fixture::Patch patch = fixture.patch();
+    const int gobo_wheel = programmer.gobo ? gobo_wheel_of(fixture) : -1;
     for (const Channel& channel : patch.mode_of().channels) {
         if (attribute_of(channel) != attribute) continue;
+        const QString group = group_of(channel);
+        const bool goes = share || share_by_value(programmer, channel, gobo_wheel);
+        if (goes && group == "Colour" && programmer.colour) {
+            if (share) to_channels(patch, group, gobo_wheel, programmer);
+            programmer.colour.reset();
+        }
+        if (goes && group == "Gobo" && programmer.gobo) {
+            if (share) to_channels(patch, group, gobo_wheel, programmer);
+            programmer.gobo.reset();
+        }
         if (!share) {
             programmer.channels.erase(channel.name);
             continue;
         }
         programmer.channels[channel.name] = *share;
-        const QString group = group_of(channel);
-        if (group == "Colour") programmer.colour.reset();
-        if (group == "Gobo") programmer.gobo.reset();
         for (const Number& number : kNumbers)
             if (role_of(channel) == number.role) (programmer.*number.value).reset();
     }

@@ -107,14 +107,17 @@ Look faded(const Look& from, const Look& to, const scene::Show& show, const RigN
     fixture::Levels desk;
     for (const dmx::Universe& universe : now.universes.list) desk.set(universe.number, *universe.levels);
     const FixtureNow unknown;
-    const auto of = [](const Look& one, std::size_t index, const FixtureNow& is) {
-        if (const auto found = one.fixtures.find(index); found != one.fixtures.end()) return found->second;
-        return is.is_dark_without_hands ? Programmer{.intensity = 0.0f} : Programmer{};
+    const auto of = [](const Look& one, std::size_t index, const Faded& faded) {
+        const auto found = one.fixtures.find(index);
+        Programmer side = found == one.fixtures.end() ? Programmer{} : found->second;
+        const fixture::Patch patch = faded.fixture ? faded.fixture->patch() : fixture::Patch{};
+        if (faded.now.is_dark_without_hands && !fixture::asks_for_light(side, patch)) side.intensity = 0.0f;
+        return side;
     };
     for (const std::size_t index : fixtures) {
         const Faded faded{index < show.fixtures.size() ? &show.fixtures[index] : nullptr, desk,
                           index < now.fixtures.size() ? now.fixtures[index] : unknown};
-        look.fixtures[index] = mixed(of(from, index, faded.now), of(to, index, faded.now), faded, share);
+        look.fixtures[index] = mixed(of(from, index, faded), of(to, index, faded), faded, share);
     }
     look.movers = mixed_movers(from, to, now, share);
     const SceneLook &a = from.scene, &b = to.scene;

@@ -305,7 +305,7 @@ Result<void> ShowDocument::keep() {
 void ShowDocument::look_at_file() {
     watch(); // a file that was replaced is another one
     const auto now = read_text_file(file_, scene::kMaxShowBytes);
-    if (!now.ok()) return; // away for a moment, or look_whether_gone says so
+    if (!now.ok() || now->empty()) return; // away or being written, or look_whether_gone says so
     const bool was_gone = std::exchange(is_gone_, false);
     const bool outside = *now != saved_ && *now != text_;
     if (outside ? seen_outside_ == *now : !changed_outside_) {

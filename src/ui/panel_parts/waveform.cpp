@@ -51,7 +51,7 @@ void Waveform::paintEvent(QPaintEvent*) {
                  to = loops ? x_of(transport.loop_to_s) : width();
     if (loops) painter.fillRect(QRectF(from, 0, to - from, height()), QColor(255, 179, 71, 40));
     const std::vector<float>& activity = app_.waveform();
-    const double at = x_of(app_.rig().at_s);
+    const double at = x_of(app_.moment_s());
     const bool is_shown = !app_.rig().from_desk;
     for (int x = 0; x < width() && !activity.empty(); ++x) {
         // The most of all parts that this pixel stands for.

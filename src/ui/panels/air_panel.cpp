@@ -132,6 +132,7 @@ void AirPanel::add_hazers(QLayout* layout, Actions& actions) {
     hazers_->setSelectionMode(QAbstractItemView::SingleSelection);
     hazers_->setAlternatingRowColors(true);
     hazers_->horizontalHeader()->setStretchLastSection(true);
+    hazers_->verticalHeader()->hide(); // all columns find room
     const int letter = fontMetrics().averageCharWidth();
     for (const auto& [column, letters] : {std::pair{0, 14}, {1, 12}, {2, 7}, {3, 10}, {4, 10}})
         hazers_->setColumnWidth(column, letters * letter);

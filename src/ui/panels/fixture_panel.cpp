@@ -222,7 +222,8 @@ void FixturePanel::list_groups() {
     for (const FixtureGroup& group : groups_) dark += group.fixtures.size();
     group_->addItem(!dark_->isChecked()       ? translated("Fixtures", "All fixtures")
                     : app_.verdicts().empty() ? translated("Fixtures", "Asking why ...")
-                                              : translated("Fixtures", "All %1 that are dark").arg(dark));
+                    : dark == 0               ? translated("Fixtures", "None is dark")
+                                              : translated("Fixtures", "Dark: %1").arg(dark));
     for (const FixtureGroup& group : groups_)
         group_->addItem(QString("%1 (%2)").arg(group.title).arg(group.fixtures.size()), group.title);
     group_->setCurrentIndex(before.isEmpty() ? 0 : std::max(group_->findData(before), 0));

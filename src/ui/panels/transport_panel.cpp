@@ -75,7 +75,7 @@ void TransportPanel::refresh() {
     place_->setEnabled(length_s > 0 && !app_.rig().from_desk);
     const bool is_driven = app_.rig().from_desk && !app_.rig().universes.list.empty();
     time_->setText(is_driven      ? translated("Transport", "desk")
-                   : length_s > 0 ? clock_of(app_.rig().at_s) + " / " + clock_of(length_s)
+                   : length_s > 0 ? clock_of(app_.moment_s()) + " / " + clock_of(length_s)
                                   : translated("Transport", "no recording"));
     input_->setCurrentIndex(static_cast<int>(app_.request().input));
     master_->setValue(static_cast<int>(std::lround(app_.request().master * 100)));

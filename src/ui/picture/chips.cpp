@@ -46,7 +46,7 @@ Chip of_desk(const std::vector<dmx::Universe>& universes) {
 Chip of_input(const AppModel& app) {
     const RigNow& rig = app.rig();
     if (rig.from_desk && !rig.universes.list.empty()) return of_desk(rig.universes.list);
-    if (rig.recording_s > 0) return {translated("Chips", "REC %1").arg(clock_of(rig.at_s)), {}};
+    if (rig.recording_s > 0) return {translated("Chips", "REC %1").arg(clock_of(app.moment_s())), {}};
     return {translated("Chips", "NO DESK YET"), {}};
 }
 

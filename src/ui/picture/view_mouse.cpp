@@ -19,6 +19,7 @@ namespace {
 constexpr double kClick_px = 4;
 constexpr float kAround_m = 2;
 constexpr double kHandle_px = 16;
+constexpr double kBeside_px = 8;  // of a thin set piece
 constexpr float kFloorSteps = 10; // of a set piece that is dragged, to the metre
 constexpr float kOrbit_rad_px = 0.006f;
 constexpr float kTurn_rad_px = 0.003f;
@@ -217,10 +218,12 @@ void View::click(const QPointF& place, Qt::KeyboardModifiers keys) {
         return;
     }
     const bool adds = keys & Qt::ControlModifier;
+    let_go_.clear();
     if (const auto hit = lamp_at(place)) {
         select_one(*hit, adds);
         return;
     }
+    let_go_ = app_.selected_in_order();
     if (!adds) app_.select({});
     adds_picked_ = adds;
     chooses_picked_ = false;
@@ -275,8 +278,12 @@ void View::mouseDoubleClickEvent(QMouseEvent* event) {
         app_.look_at(app_.rig().fixtures[*hit].light_m, kAround_m);
         return;
     }
+    // Its first click was no wish to let go of the heads that shall hang at what is chosen.
+    if (app_.selection().empty()) app_.select_in_order(std::exchange(let_go_, {}));
     chooses_picked_ = true;
-    picked_ = app_.pick(camera_of_picture().position_m, way_of_mouse(event->position()));
+    const glm::vec3 way = way_of_mouse(event->position());
+    const glm::vec3 beside = way_of_mouse(event->position() + QPointF(kBeside_px, 0));
+    picked_ = app_.pick(camera_of_picture().position_m, way, glm::length(glm::cross(way, beside)));
 }
 
 void View::wheelEvent(QWheelEvent* event) {

@@ -49,7 +49,9 @@ QRect in_reach(const QRect& frame, const QList<QRect>& displays) {
         most = here;
         display = one;
     }
-    if (2 * seen >= area(frame) && 2 * seen_title >= area(title)) return frame;
+    const bool fits = seen == area(frame) || (frame.width() <= display.width() + kTitle_px &&
+                                              frame.height() <= display.height() + kTitle_px);
+    if (fits && 2 * seen >= area(frame) && 2 * seen_title >= area(title)) return frame;
     QRect moved(frame.topLeft(), frame.size().boundedTo(display.size()));
     moved.moveLeft(std::clamp(moved.left(), display.left(), display.right() + 1 - moved.width()));
     moved.moveTop(std::clamp(moved.top(), display.top(), display.bottom() + 1 - moved.height()));

@@ -12,8 +12,9 @@ class QScreen;
 
 namespace ghost::ui {
 
-// Where a window may stay as it is: half of it and its title are on a display. Else it is moved, and made
-// smaller where it does not fit, into the display that has most of it, or the first one.
+// Where a window may stay as it is: half of it and its title are on a display, and it is not larger than that
+// one, but for a frame. Else it is moved, and made smaller where it does not fit, into the display that has
+// most of it, or the first one.
 QRect in_reach(const QRect& frame, const QList<QRect>& displays);
 
 // Every window of the program that is shown. How many were moved.

@@ -73,7 +73,7 @@ void ParameterRow::show_value(const ParameterValue& value, bool mixed) {
     const QString words = mixed ? translated("Value", "mixed") : value.words;
     meaning_->setText(meaning_->fontMetrics().elidedText(words, Qt::ElideRight, meaning_->width() - 22));
     meaning_->setToolTip(words);
-    release_->setEnabled(value.by_hand);
+    release_->setEnabled(value.by_hand && !value.is_of_other);
     QPalette colours = palette();
     if (value.by_hand) colours.setColor(QPalette::WindowText, accent());
     label_->setPalette(colours);

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/widgets/undo_keys.h"
 
+#include <QAbstractItemView>
 #include <QAbstractSpinBox>
 #include <QComboBox>
+#include <QDialog>
 #include <QKeyEvent>
 #include <QLineEdit>
 
@@ -18,6 +20,14 @@ QLineEdit* field_of(QObject* object) {
     return qobject_cast<QLineEdit*>(object);
 }
 
+// Whose text it is, where it stands alone in a panel.
+QWidget* number_of(QLineEdit* field) {
+    auto* const number = qobject_cast<QAbstractSpinBox*>(field->parentWidget());
+    if (!number || qobject_cast<QDialog*>(number->window())) return nullptr;
+    const QWidget* const around = number->parentWidget() ? number->parentWidget()->parentWidget() : nullptr;
+    return qobject_cast<const QAbstractItemView*>(around) ? nullptr : number;
+}
+
 } // namespace
 
 bool UndoKeys::eventFilter(QObject* object, QEvent* event) {
@@ -26,7 +36,10 @@ bool UndoKeys::eventFilter(QObject* object, QEvent* event) {
     if (event->type() == QEvent::KeyPress) {
         // Qt counts what was entered as typed until another text is set.
         if (key.key() == Qt::Key_Return || key.key() == Qt::Key_Enter)
-            if (QLineEdit* const field = field_of(object)) field->setModified(false);
+            if (QLineEdit* const field = field_of(object)) {
+                field->setModified(false);
+                if (QWidget* const number = number_of(field)) Q_EMIT entered(number);
+            }
         return false;
     }
     if (!key.matches(QKeySequence::Undo) && !key.matches(QKeySequence::Redo)) return false;

@@ -6,12 +6,17 @@
 
 #include <QObject>
 
+class QWidget;
+
 namespace ghost::ui {
 
 class UndoKeys : public QObject {
     Q_OBJECT
 public:
     using QObject::QObject;
+
+Q_SIGNALS:
+    void entered(QWidget* field); // Return in a number, before the number has it; not in a table or a dialog
 
 protected:
     bool eventFilter(QObject* object, QEvent* event) override; // of the application

@@ -30,13 +30,17 @@ bool WindowPlace::is_maximized() const {
 bool WindowPlace::put_back(const QSettings& settings) {
     if (!settings.contains(kMaximized)) return false;
     window_.setWindowState(Qt::WindowNoState);
+    bool is_cut = false;
     if (const QRect kept = settings.value(kPlace).toRect(); kept.isValid()) {
         QList<QRect> displays;
         for (const QScreen* const screen : QGuiApplication::screens())
             displays << screen->availableGeometry();
-        window_.setGeometry(in_reach(kept, displays));
+        const QRect place = in_reach(kept, displays);
+        window_.setGeometry(place);
+        is_cut = place.size() != kept.size();
     }
-    if (settings.value(kMaximized).toBool()) window_.setWindowState(Qt::WindowMaximized);
+    // One that was larger than the display takes all of it: how much its frame needs nobody knows yet.
+    if (is_cut || settings.value(kMaximized).toBool()) window_.setWindowState(Qt::WindowMaximized);
     return true;
 }
 

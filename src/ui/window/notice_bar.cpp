@@ -72,12 +72,16 @@ NoticeBar::NoticeBar(Actions& actions, ShowDocument& document, AppModel& app, QW
                     {translated("Notice", "Close"), ""}});
     });
     connect(&document_, &ShowDocument::save_failed, this, [this](const QString& words) {
-        ask(words, {{translated("Notice", "Try again"), "save"},
-                    {translated("Notice", "Save a copy elsewhere..."), "save-copy"}});
+        ask(words,
+            {{translated("Notice", "Try again"), "save"},
+             {translated("Notice", "Save a copy elsewhere..."), "save-copy"}},
+            Kind::fault);
     });
     connect(&document_, &ShowDocument::keep_failed, this, [this](const QString& words) {
-        ask(words, {{translated("Notice", "Save a copy elsewhere..."), "save-copy"},
-                    {translated("Notice", "Close and lose them"), "quit anyway"}});
+        ask(words,
+            {{translated("Notice", "Save a copy elsewhere..."), "save-copy"},
+             {translated("Notice", "Close and lose them"), "quit anyway"}},
+            Kind::fault);
     });
     connect(&document_, &ShowDocument::changed, this, [this] {
         if (!document_.waits_for_answer() && !says_not_opened_ && !says_unseen_) put_away();
@@ -87,6 +91,10 @@ NoticeBar::NoticeBar(Actions& actions, ShowDocument& document, AppModel& app, QW
         say_unseen();
     });
     connect(&app_, &AppModel::not_opened, this, &NoticeBar::say_not_opened);
+    // It was of the one before.
+    connect(&app_, &AppModel::request_changed, this, [this] {
+        if (app_.is_opening() && std::exchange(says_not_opened_, false)) put_away();
+    });
     connect(&app_, &AppModel::opened_show, this, [this] {
         if (app_.opened().is_edit) return;
         if (std::exchange(says_not_opened_, false) && !document_.waits_for_answer()) hide();

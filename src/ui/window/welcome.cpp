@@ -4,12 +4,16 @@
 #include "show/show.h"
 #include "ui/language/language.h"
 
+#include <QDir>
 #include <QEvent>
 #include <QFileInfo>
 #include <QHBoxLayout>
 #include <QIcon>
 #include <QPixmap>
 #include <QVBoxLayout>
+
+#include <algorithm>
+#include <vector>
 
 namespace ghost::ui {
 namespace {
@@ -91,7 +95,14 @@ void Welcome::fill() {
             picture = QPixmap(kPicture);
             picture.fill(QColor(10, 10, 12));
         }
-        auto* item = new QListWidgetItem(QIcon(picture), one.name, recent_list_);
+        const std::vector<RecentShows::One>& all = recent_.all();
+        const bool is_alone = std::count_if(all.begin(), all.end(), [&](const RecentShows::One& other) {
+                                  return other.name == one.name;
+                              }) == 1;
+        const QDir folder = QFileInfo(one.path).dir();
+        const QString place = QFileInfo(folder.path()).dir().dirName() + "/" + folder.dirName();
+        auto* item =
+            new QListWidgetItem(QIcon(picture), is_alone ? one.name : one.name + "\n" + place, recent_list_);
         item->setData(Qt::UserRole, one.path);
         item->setToolTip(one.path);
     }

@@ -76,7 +76,17 @@ Window::Window(Link& link, const WindowOptions& options)
     setAcceptDrops(true);
     qApp->installEventFilter(new WheelGuard(this));
     qApp->installEventFilter(new PopupKeys(this));
-    qApp->installEventFilter(new UndoKeys(this));
+    auto* const undo_keys = new UndoKeys(this);
+    qApp->installEventFilter(undo_keys);
+    // The next key is one of the window's again; the number takes its own first.
+    connect(
+        undo_keys, &UndoKeys::entered, this,
+        [this](QWidget* number) {
+            if (number->window()->focusWidget() != number) return; // it went on by itself
+            number->clearFocus();
+            view_->setFocus();
+        },
+        Qt::QueuedConnection);
     setDockNestingEnabled(true);
     setCentralWidget(view_);
     for (QLabel* const one : {status_input_, status_supply_, status_jobs_, status_device_})

@@ -114,7 +114,7 @@ void Window::show_status() {
                          : translated("Notice", "No recording, and no desk: started with --no-desk");
     else
         text = translated("Notice", "Recording, %1 of %2 s")
-                   .arg(rig.at_s, 0, 'f', 1)
+                   .arg(app_.moment_s(), 0, 'f', 1)
                    .arg(rig.recording_s, 0, 'f', 1);
     if (!rig.timecode.empty()) text += "; " + said(rig.timecode);
     if (rig.recorded_s >= 0)

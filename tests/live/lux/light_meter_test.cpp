@@ -7,6 +7,7 @@
 #include "shared/develop.h"
 #include "support/demo_copy.h"
 #include "support/must.h"
+#include "support/test_stage.h"
 
 #include <gtest/gtest.h>
 
@@ -205,6 +206,27 @@ TEST(LightMeter, what_is_hidden_throws_no_shadow) {
     meter.session->live->show(first_object, false); // so that the floor below is seen
     meter.look_at(under.position + glm::vec3(0, -1.0f, 0.5f), under.position);
     EXPECT_LT(*lux_picture(*meter.session, meter.lit).at(48, 36), 0.1f * wanted);
+}
+
+// A bar of 6 cm, 10 m away, before a wall.
+TEST(LightMeter, a_lattice_before_a_wall_is_met_where_the_way_goes_past_its_bars) {
+    scene::Stage stage;
+    const int grey = bake::add_material(stage, {0.5f, 0.5f, 0.5f});
+    bake::place(stage, bake::add_mesh(stage, bake::quad_mesh({-20, 20, -20}, {40, 0, 0}, {0, 0, 40}), grey));
+    const int bar = bake::add_mesh(stage, bake::box_mesh({0.03f, 0.03f, 3}), grey);
+    bake::place(stage, bar, glm::translate(glm::mat4(1.0f), glm::vec3(0, 10, 0)));
+    bake::place(stage, bar, glm::translate(glm::mat4(1.0f), glm::vec3(2, 10, 0)), 0); // of a fixture
+    const bake::Tracer tracer(stage);
+    const auto met = [&](float x_m, float beside) {
+        return surface_near({0, 0, 0}, glm::normalize(glm::vec3(x_m, 10, 0)), beside, tracer).instance;
+    };
+    EXPECT_EQ(met(0, 0), 1);
+    EXPECT_EQ(met(0.1f, 0), 0) << "past it";
+    EXPECT_EQ(met(0.1f, 0.012f), 1);
+    EXPECT_EQ(met(-0.1f, 0.012f), 1);
+    EXPECT_EQ(met(0.3f, 0.012f), 0) << "not that near";
+    EXPECT_EQ(met(1.9f, 0.012f), 0) << "heads have marks of their own";
+    EXPECT_EQ(met(2.0f, 0.012f), 2) << "what is met itself is meant";
 }
 
 } // namespace

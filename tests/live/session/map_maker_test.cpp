@@ -34,9 +34,9 @@ struct Arrived {
 };
 
 void add(Arrived& arrived, MapMaker& maker) {
-    for (MapMaker::Made& made : maker.take()) {
+    while (auto made = maker.take()) {
         ++arrived.deliveries;
-        arrived.maps[made.index] = std::move(made.map);
+        arrived.maps[made->index] = std::move(made->map);
     }
 }
 
@@ -92,6 +92,30 @@ TEST(map_maker, KeptMapsArriveTooUnlessTheyAreKnown) {
     const Arrived arrived = wait_for_all(knowing);
     ASSERT_EQ(arrived.deliveries, 1u);
     EXPECT_EQ(arrived.maps.begin()->first, 1u);
+}
+
+// Of a few hundred that would be seconds, for which a closed window would stay.
+TEST(map_maker, OneThatIsStoppedReadsNoKeptMapAndLosesNone) {
+    const bake::TestFolder folder;
+    scene::Show show = lamps(folder.path, 4);
+    made_at_once(show);
+    for (scene::Instance& instance : show.stage.instances)
+        if (instance.world[3].y > 5) instance.world[3].x += 50; // to where no lamp sees it
+    bake::DistanceMapOptions options;
+    options.size = kSize;
+    scene::DistanceMaps maps;
+    Report report;
+    options.stop = [] { return true; };
+    const auto stopped = bake::update_distance_maps(show, show.stage, options, maps, report);
+    ASSERT_TRUE(stopped.ok());
+    EXPECT_TRUE(stopped->interrupted);
+    EXPECT_EQ(stopped->kept, 0);
+    for (scene::Instance& instance : show.stage.instances)
+        if (instance.world[3].y > 5) instance.world[3].x -= 50;
+    options.stop = {};
+    const auto again = bake::update_distance_maps(show, show.stage, options, maps, report);
+    ASSERT_TRUE(again.ok());
+    EXPECT_EQ(again->kept, 4);
 }
 
 TEST(map_maker, AKnownMapOfAnotherStageIsReplaced) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "live/session/opening.h"
 
+#include "support/demo_copy.h"
+
 #include <gtest/gtest.h>
 
 #include <atomic>
@@ -49,6 +51,16 @@ TEST(Opening, an_error_is_handed_over_too_and_the_next_one_may_begin) {
     EXPECT_EQ(opened->error().text(), "x.mvr: no such file");
     opening.begin(Opening::Kind::edit, [] { return Opening::Opened(std::make_unique<Session>()); });
     EXPECT_TRUE(taken_within_a_minute(opening)->ok());
+}
+
+TEST(Opening, a_session_that_is_not_wanted_any_more_ends_while_it_is_opened) {
+    SessionOptions options;
+    options.show = DemoCopy::show().string();
+    options.live = options.quiet = options.maps_in_background = true;
+    options.stop = [] { return true; };
+    const auto opened = open_session(options);
+    ASSERT_FALSE(opened.ok());
+    EXPECT_NE(opened.error().what.find("interrupted"), std::string::npos) << opened.error().text();
 }
 
 TEST(Opening, what_is_dropped_is_never_handed_over) {

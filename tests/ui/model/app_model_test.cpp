@@ -67,6 +67,52 @@ TEST(AppModel, another_show_forgets_what_was_done_to_the_one_before) {
     EXPECT_EQ(bench.app.selection(), std::set<std::size_t>{2}); // there is no 99
 }
 
+// Take on the page of a plot, and "Make a show of it": to whoever sees it that is the same stage.
+TEST(AppModel, a_show_that_is_made_of_the_plot_that_is_open_keeps_what_hands_hold) {
+    Bench bench;
+    const auto put = [&](Opened opened, bool is_turned, bool is_plot) {
+        auto show = std::make_shared<scene::Show>(*opened.show);
+        for (std::size_t i = 0; i < show->fixtures.size(); ++i)
+            show->fixtures[i].uuid = "uuid " + show->fixtures[i].name;
+        if (is_turned) {
+            std::reverse(show->fixtures.begin(), show->fixtures.end());
+            show->fixtures.erase(show->fixtures.begin() + 1); // Lamp 3
+            show->fixtures.back().name = "Front 1";           // Lamp 1
+            std::swap(opened.objects[0], opened.objects[1]);
+        }
+        if (is_plot) show->file = show->plot_file = "tour.mvr";
+        opened.show = show;
+        opened.opens = bench.app.request().opens;
+        bench.link.opened.put(std::move(opened));
+        bench.link.on_news();
+        settle();
+    };
+    bench.app.open("tour.mvr");
+    put(four_lamps(), false, true);
+    Look look;
+    for (std::size_t i = 0; i < 4; ++i) look.fixtures[i].intensity = 0.25f * static_cast<float>(i + 1);
+    look.shown[1] = false;
+    look.scene.smoke = 2.0f;
+    bench.app.set_look(look, "by hand");
+    bench.app.select({0, 2, 3});
+    bench.app.open_made_of_plot("tour");
+    put(four_lamps(), true, false);
+    const Look& now = bench.app.look();
+    ASSERT_EQ(now.fixtures.size(), 3u) << "all but the one that is gone";
+    EXPECT_EQ(now.fixtures.at(0).intensity, 1.0f);
+    EXPECT_EQ(now.fixtures.at(1).intensity, 0.5f);
+    EXPECT_EQ(now.fixtures.at(2).intensity, 0.25f);
+    EXPECT_EQ(now.shown, (std::map<std::size_t, bool>{{0, false}}));
+    EXPECT_EQ(now.scene.smoke, 2.0f);
+    EXPECT_EQ(bench.app.selection(), (std::set<std::size_t>{0, 2}));
+    EXPECT_EQ(bench.app.request().look, now);
+    EXPECT_EQ(bench.app.request().explained, 0u);
+    bench.app.open("another");
+    put(four_lamps(), false, false);
+    EXPECT_TRUE(bench.app.look().is_empty());
+    EXPECT_TRUE(bench.app.selection().empty());
+}
+
 TEST(AppModel, a_slider_is_one_step_and_different_things_are_two) {
     Bench bench;
     bench.open();

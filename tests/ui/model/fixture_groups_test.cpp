@@ -55,7 +55,7 @@ TEST(FixtureGroups, dark_ones_are_listed_by_reasons_the_most_frequent_first) {
     settle();
     auto* const group = panel.findChild<QComboBox*>();
     ASSERT_EQ(group->count(), 3);
-    EXPECT_EQ(group->itemText(0), "All 2 that are dark");
+    EXPECT_EQ(group->itemText(0), "Dark: 2");
     const auto* table = panel.table()->model();
     EXPECT_EQ(table->rowCount(), 2);
     group->setCurrentIndex(group->findText("the dimmer is at 0 (1)"));

@@ -294,7 +294,8 @@ TEST(UiLooks, a_head_that_is_left_dark_fades_from_and_to_dark_and_not_by_its_fil
     EXPECT_FLOAT_EQ(share({}, half, 0), 0);
     EXPECT_FLOAT_EQ(share({}, half, 0.5f), 0.25f);
     EXPECT_FLOAT_EQ(share(half, {}, 0.8f), 0.1f);
-    EXPECT_FLOAT_EQ(share({}, red, 0.25f), 0.25f) << "with a colour it is as bright as its file has it";
+    EXPECT_FLOAT_EQ(share({}, red, 0.25f), 0) << "a colour lights nothing";
+    EXPECT_FLOAT_EQ(share(half, red, 0.8f), 0.1f);
     EXPECT_EQ(faded({}, red, show, {.fixtures = {now}}, 0.25f).fixtures.at(0).colour, glm::vec3(1, 0, 0))
         << "what was dark has no colour to come from";
     EXPECT_EQ(faded(half, {}, show, {.fixtures = {now}}, 1), Look{});

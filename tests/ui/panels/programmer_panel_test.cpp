@@ -244,6 +244,54 @@ TEST(ProgrammerPanel, all_parameters_of_the_head_are_there_in_the_words_of_the_f
     EXPECT_EQ(gobo->findChildren<QToolButton*>().first()->toolTip(), choices[2]->text());
 }
 
+// A colour and a gobo by hand stand above the channels, and an intensity opens the shutter: the rows below
+// say so, and what is moved of them goes on from there.
+TEST(ProgrammerPanel, rows_show_what_a_value_above_them_makes_of_them) {
+    Heads heads;
+    heads.app.select({0});
+    settle();
+    const auto meaning = [&](const char* row) {
+        return heads.row(row)->findChildren<QToolButton*>().first()->toolTip();
+    };
+    const auto share = [&](const char* row) {
+        return heads.row(row)->findChild<QSlider*>()->value() / 1020.0;
+    };
+    EXPECT_EQ(meaning("Shutter"), "Open") << "it was 0 %";
+    EXPECT_FALSE(Heads::is_warm(heads.row("Shutter")));
+    const auto list = heads.panel.findChildren<QComboBox*>();
+    const auto gobo = std::find_if(list.begin(), list.end(),
+                                   [](const QComboBox* one) { return one->accessibleName() == "Gobo"; });
+    ASSERT_NE(gobo, list.end());
+    (*gobo)->setCurrentIndex(3);
+    Q_EMIT(*gobo)->activated(3);
+    change_selected(heads.app, "colour", ProgrammerStep::colour, [](fixture::Programmer& programmer) {
+        programmer.colour = glm::vec3(1, 1, 0);
+        programmer.intensity = 1.0f;
+    });
+    settle();
+    EXPECT_EQ("2  " + meaning("Gobo wheel 1"), (*gobo)->itemText(3));
+    for (const char* const row : {"Gobo wheel 1", "Cyan", "Magenta", "Yellow", "Shutter"})
+        EXPECT_TRUE(Heads::is_warm(heads.row(row))) << row;
+    for (const char* const row : {"Iris", "Focus"}) EXPECT_FALSE(Heads::is_warm(heads.row(row))) << row;
+    EXPECT_NEAR(share("Yellow"), 1, 1e-3);
+    EXPECT_NEAR(share("Cyan"), 0, 1e-3);
+    EXPECT_NEAR(share("Magenta"), 0, 1e-3);
+    const QString chosen = meaning("Gobo wheel 1");
+    heads.row("Magenta")->on_change(0.5f);
+    heads.row("Gobo 2 turn")->on_change(0.25f);
+    settle();
+    const fixture::Programmer& programmer = heads.app.look().fixtures.at(0);
+    EXPECT_FALSE(programmer.colour);
+    EXPECT_FALSE(programmer.gobo);
+    EXPECT_NEAR(share("Yellow"), 1, 1e-3) << "it stays";
+    EXPECT_NEAR(share("Magenta"), 0.5, 1e-3);
+    EXPECT_EQ(meaning("Gobo wheel 1"), chosen);
+    heads.row("Yellow")->on_release();
+    settle();
+    EXPECT_FALSE(Heads::is_warm(heads.row("Yellow")));
+    EXPECT_TRUE(Heads::is_warm(heads.row("Magenta")));
+}
+
 // What a hand wants of a strobe is not what it wants of the intensity.
 QImage picture_of(const QIcon& icon) {
     return icon.pixmap(16, 16).toImage();

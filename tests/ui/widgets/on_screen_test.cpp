@@ -30,6 +30,13 @@ TEST(OnScreen, what_lay_on_a_display_that_is_gone_comes_back_whole) {
     EXPECT_EQ(in_reach(QRect(4000, 200, 900, 600), {kFirst, kSecond}), QRect(380, 200, 900, 600));
 }
 
+TEST(OnScreen, what_is_larger_than_its_display_is_made_to_fit) {
+    EXPECT_EQ(in_reach(kSecond.translated(-1280, 0), {QRect(0, 0, 1366, 768)}), QRect(0, 0, 1366, 768));
+    EXPECT_EQ(in_reach(QRect(0, 0, 1280, 1046), {kFirst}), QRect(0, 0, 1280, 1046)) << "its frame";
+    EXPECT_EQ(in_reach(QRect(200, 0, 2000, 1000), {kFirst, kSecond}), QRect(200, 0, 2000, 1000))
+        << "over both of them";
+}
+
 TEST(OnScreen, windows_and_torn_off_panels_are_moved) {
     QMainWindow window;
     window.setGeometry(1500, 200, 640, 480);

@@ -8,6 +8,7 @@
 #include <QAbstractItemView>
 #include <QAbstractSpinBox>
 #include <QComboBox>
+#include <QDockWidget>
 #include <QDoubleSpinBox>
 #include <QKeyEvent>
 #include <QLineEdit>
@@ -74,6 +75,31 @@ TEST(UndoKeys, what_is_typed_and_not_entered_is_undone_in_its_field) {
     }
     number.stepUp();
     EXPECT_FALSE(keeps_undo(number));
+}
+
+// K is the work light's again, and letters fly.
+TEST(UndoKeys, a_number_that_is_entered_gives_the_keys_back_to_the_picture) {
+    Link link;
+    Window window(link, {.remembers = false, .width = 900, .height = 600});
+    window.show();
+    link.opened.put(four_lamps());
+    link.rig.put(four_lit());
+    link.on_news();
+    settle();
+    window.app().select({0});
+    settle();
+    auto* const number = window.findChild<QDockWidget*>("programmer")->findChild<QAbstractSpinBox*>();
+    ASSERT_TRUE(number);
+    number->setFocus();
+    ASSERT_EQ(window.focusWidget(), number);
+    number->selectAll();
+    type(*number, Qt::Key_5, "5");
+    settle();
+    EXPECT_EQ(window.focusWidget(), number) << "it is being typed";
+    type(*number, Qt::Key_Return);
+    settle();
+    EXPECT_EQ(window.focusWidget(), window.centralWidget());
+    EXPECT_TRUE(window.app().look().fixtures.contains(0)) << "and it is taken";
 }
 
 } // namespace

@@ -63,6 +63,16 @@ TEST(WindowPlace, what_no_display_shows_any_more_comes_to_one_that_is_there) {
     EXPECT_TRUE(is_seen) << stands.x() << " " << stands.y();
 }
 
+TEST(WindowPlace, one_of_a_larger_display_is_as_large_as_that_which_is_there) {
+    Kept kept;
+    kept.settings.setValue("place", QRect(0, 0, 1700, 1200)); // more than half of it is on the first
+    kept.settings.setValue("maximized", false);
+    const QRect stands = kept.start();
+    EXPECT_TRUE(QGuiApplication::screens().front()->availableGeometry().contains(stands))
+        << stands.width() << " " << stands.height();
+    EXPECT_GT(stands.width(), 1200);
+}
+
 TEST(WindowPlace, where_nothing_is_kept_the_window_stays_as_it_begins) {
     QTemporaryDir folder;
     const QSettings none(folder.filePath("none.ini"), QSettings::IniFormat);

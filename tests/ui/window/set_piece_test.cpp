@@ -122,6 +122,23 @@ TEST(SetPiece, a_double_click_chooses_what_the_engine_meets_there) {
     EXPECT_EQ(watched.bench.app.marked(), 1u);
 }
 
+TEST(SetPiece, a_double_click_keeps_the_heads_that_its_first_click_let_go_of) {
+    Watched watched;
+    watched.bench.open();
+    AppModel& app = watched.bench.app;
+    app.select_in_order({2, 0});
+    const QPointF beside(300, 170);
+    watched.mouse(QEvent::MouseButtonPress, beside, Qt::LeftButton);
+    watched.mouse(QEvent::MouseButtonRelease, beside, Qt::LeftButton);
+    EXPECT_TRUE(app.selection().empty()) << "a click lets go of them";
+    EXPECT_EQ(app.request().pick.beside, 0);
+    watched.mouse(QEvent::MouseButtonDblClick, beside, Qt::LeftButton);
+    watched.mouse(QEvent::MouseButtonRelease, beside, Qt::LeftButton);
+    EXPECT_EQ(app.selected_in_order(), (std::vector<std::size_t>{2, 0}));
+    // Eight pixels, of which 180 are 40 degrees; less of an angle beside the middle.
+    EXPECT_NEAR(app.request().pick.beside, 0.024f, 0.002f);
+}
+
 TEST(SetPiece, escape_lets_go_of_it_first_and_of_the_fixtures_then) {
     Link link;
     Window window(link, {.remembers = false, .width = 900, .height = 600});
