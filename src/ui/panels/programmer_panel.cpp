@@ -5,6 +5,7 @@
 #include "ui/actions/programmer_actions.h"
 #include "ui/language/language.h"
 #include "ui/model/head_values.h"
+#include "ui/widgets/theme.h"
 
 #include <QAbstractItemView>
 #include <QHBoxLayout>
@@ -97,9 +98,9 @@ ProgrammerPanel::ProgrammerPanel(AppModel& app, PaletteList& palettes, Actions& 
     connect(release_all_, &QPushButton::clicked, this, [&actions] { actions.choose("release-all"); });
     auto* gobo = new QHBoxLayout;
     gobo->setSpacing(ValueRow::kBetween_px);
-    auto* gobo_label = new QLabel(translated("Programmer", "Gobo"), this);
-    gobo_label->setFixedWidth(ValueRow::label_width(*this));
-    gobo->addWidget(gobo_label);
+    gobo_label_ = new QLabel(translated("Programmer", "Gobo"), this);
+    gobo_label_->setFixedWidth(ValueRow::label_width(*this));
+    gobo->addWidget(gobo_label_);
     gobo->addWidget(gobo_, 1);
     column_->addLayout(gobo);
     palettes_ = new PaletteBox(app_, palettes, actions, this);
@@ -353,6 +354,13 @@ void ProgrammerPanel::refresh() {
     }
     colour_->show_colour(colour_of(*current), by_hand, mixed);
     if (!gobo_->view()->isVisible()) gobo_->setCurrentIndex(programmer.gobo ? *programmer.gobo + 1 : 0);
+    const bool gobo_by_hand =
+        std::any_of(app_.selection().begin(), app_.selection().end(), [&](std::size_t index) {
+            return index < now.size() && programmer_of(index).gobo.has_value();
+        });
+    QPalette colours = palette();
+    if (gobo_by_hand) colours.setColor(QPalette::WindowText, accent());
+    gobo_label_->setPalette(colours);
 }
 
 void ProgrammerPanel::refresh_parameters() {

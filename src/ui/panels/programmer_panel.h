@@ -62,6 +62,7 @@ private:
     ValueRow *zoom_, *pan_, *tilt_;
     ColourRow* colour_;
     SlotPictures pictures_;
+    QLabel* gobo_label_;
     QComboBox* gobo_;
     PaletteBox* palettes_;
     FanBox* fan_;
