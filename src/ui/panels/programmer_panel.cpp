@@ -99,6 +99,8 @@ ProgrammerPanel::ProgrammerPanel(AppModel& app, PaletteList& palettes, Actions& 
     auto* gobo = new QHBoxLayout;
     gobo->setSpacing(ValueRow::kBetween_px);
     gobo_label_ = new QLabel(translated("Programmer", "Gobo"), this);
+    gobo_label_->setObjectName("gobo");
+    gobo_label_->setBuddy(gobo_);
     gobo_label_->setFixedWidth(ValueRow::label_width(*this));
     gobo->addWidget(gobo_label_);
     gobo->addWidget(gobo_, 1);
