@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Window: what it says by itself: title, undo and redo, what was done or refused, status line.
 #include "show/show.h"
+#include "ui/actions/programmer_actions.h"
 #include "ui/language/language.h"
 #include "ui/model/fixture_groups.h"
 #include "ui/model/shortened.h"
