@@ -212,11 +212,11 @@
         <translation>%1 % der Pixel</translation>
     </message>
     <message>
-        <source>Release selected fixtures</source>
+        <source>Give the selected fixtures back</source>
         <translation>Ausgewählte Geräte freigeben</translation>
     </message>
     <message>
-        <source>Release everything set by hand</source>
+        <source>Give back everything set by hand</source>
         <translation>Alles von Hand Gesetzte freigeben</translation>
     </message>
     <message>
@@ -1412,7 +1412,7 @@
         <translation>Ein anderes Gerät liest einen Kanal von diesem.</translation>
     </message>
     <message>
-        <source>Set by hand; R releases it.</source>
+        <source>Set by hand; R gives it back.</source>
         <translation>Von Hand gesetzt; R gibt frei.</translation>
     </message>
     <message>
@@ -4952,11 +4952,11 @@ Bitte den Namen des Ordners prüfen.</translation>
         <translation>kein Gerät ist ausgewählt</translation>
     </message>
     <message>
-        <source>no fixture is selected; Shift+R releases everything</source>
+        <source>no fixture is selected; Shift+R gives everything back</source>
         <translation>kein Gerät ist ausgewählt; Umschalt+R gibt alles frei</translation>
     </message>
     <message>
-        <source>nothing of the selected fixtures is set by hand; Shift+R releases everything</source>
+        <source>nothing of the selected fixtures is set by hand; Shift+R gives everything back</source>
         <translation>von den ausgewählten Geräten ist nichts von Hand gesetzt; Umschalt+R gibt alles frei</translation>
     </message>
     <message>
@@ -7194,7 +7194,7 @@ Bitte den Namen des Ordners prüfen.</translation>
         <translation>Drehen</translation>
     </message>
     <message>
-        <source>release everything</source>
+        <source>give everything back</source>
         <translation>alles freigeben</translation>
     </message>
     <message>
@@ -7304,7 +7304,7 @@ Bitte den Namen des Ordners prüfen.</translation>
         <translation>Gobo</translation>
     </message>
     <message>
-        <source>release</source>
+        <source>give back</source>
         <translation>freigeben</translation>
     </message>
     <message>

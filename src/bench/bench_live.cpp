@@ -37,11 +37,13 @@ struct Film {
     bool coarse;         // light at half the size
     int most_lights = 0; // that may turn from one frame to the next, 0: all
     const char* of = ""; // the show, for the table
+    bool bounces = false;
 };
-constexpr Film kFilms[] = {
-    {"close", 640, 360, true, false}, {"close", 640, 360, false, false}, {"house", 640, 360, true, false},
-    {"high", 640, 360, true, false},  {"close", 1280, 720, true, true},  {"house", 1280, 720, true, true},
-    {"high", 1280, 720, true, true},  {"close", 1280, 720, true, false}, {"close", 1280, 720, false, false}};
+constexpr Film kFilms[] = {{"close", 640, 360, true, false},   {"close", 640, 360, false, false},
+                           {"house", 640, 360, true, false},   {"high", 640, 360, true, false},
+                           {"close", 1280, 720, true, true},   {"house", 1280, 720, true, true},
+                           {"high", 1280, 720, true, true},    {"close", 1280, 720, true, false},
+                           {"close", 1280, 720, false, false}, {"close", 640, 360, true, false, 0, "", true}};
 
 // At the fewest pixels of a window of 1280x760, as many lights as there is time for; likewise with as many
 // pixels as points of light.
@@ -64,6 +66,7 @@ public:
         opening.workers = true;
         opening.quiet = true;
         opening.beams.grid = true;
+        opening.bounce = film.bounces ? scene::BounceDetail::normal : scene::BounceDetail::off;
         LiveBench bench;
         TRY(bench.session_, open_session(opening));
         TRY(dmx::Recording recording, dmx::open_recording(bench.session_->show->recording, {}, true));
@@ -126,6 +129,7 @@ Result<void> film_row(const BenchOptions& options, const Film& film, const Bench
         if (frame < first) continue;
         if (means.frames++ == 0) waited_for = session.device->pipelines().waited_for();
         means.add("ms", drawn.draw_ms);
+        if (session.bounce) means.add("solve_ms", session.bounce->solve_ms());
         means.add("processor_ms", processor_ms);
         means.add("lights_drawn", drawn.drawn);
         means.add("lights_mended", drawn.mended);
@@ -150,7 +154,8 @@ Result<void> film_row(const BenchOptions& options, const Film& film, const Bench
                  film.of +
                      (film.most_lights > 0 ? std::to_string(session.show->fixtures.size()) + ", " : "") +
                      film.view + " " + std::to_string(film.width) + "x" + std::to_string(film.height) +
-                     (film.coarse ? ", light at half" : "") + (film.grid ? "" : ", every ray"),
+                     (film.coarse ? ", light at half" : "") + (film.grid ? "" : ", every ray") +
+                     (film.bounces ? ", light bounces" : ""),
                  {},
                  ""};
     row.figures = {
@@ -159,9 +164,11 @@ Result<void> film_row(const BenchOptions& options, const Film& film, const Bench
         {"lights_drawn", means.of("lights_drawn")},
         {"lights_mended", means.of("lights_mended")},
         {"pipelines_waited_for", static_cast<double>(session.device->pipelines().waited_for() - waited_for)}};
+    if (film.bounces) row.figures.emplace_back("solve_ms", means.of("solve_ms"));
     for (const std::string& span : spans) row.figures.emplace_back(span + "_ms", means.of(span));
     for (const char* share : {"made_share", "direct_share"}) row.figures.emplace_back(share, means.of(share));
     row.note = "mean of " + std::to_string(means.frames) + " frames";
+    if (film.bounces) row.note += "; with their solutions, which a window makes beside the pictures";
     if (film.most_lights == 0) {
         row.figures.emplace_back("least_db", db);
         row.note += "; dB against the same moments at rest";

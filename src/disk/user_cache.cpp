@@ -35,6 +35,11 @@ fs::path user_cache_for(const fs::path& folder) {
     return cache / "ghostlight" / hash_of(whole.string());
 }
 
+fs::path user_cache() {
+    const fs::path cache = cache_of_user();
+    return cache.empty() ? cache : cache / "ghostlight";
+}
+
 fs::path user_state() {
     const fs::path state = state_of_user();
     return state.empty() ? state : state / "ghostlight";

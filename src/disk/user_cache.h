@@ -12,6 +12,10 @@ namespace ghost {
 // there, or this user has no cache either.
 std::filesystem::path user_cache_for(const std::filesystem::path& folder);
 
+// Of this program, for what it can make again: $XDG_CACHE_HOME/ghostlight. Not made here. Empty: there is
+// none.
+std::filesystem::path user_cache();
+
 // What the program remembers of this user: $XDG_STATE_HOME/ghostlight (~/.local/state where that is not set).
 // Not made here. Empty: there is none.
 std::filesystem::path user_state();

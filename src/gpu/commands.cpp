@@ -96,7 +96,8 @@ Pipeline make_pipeline(const Device& device, const Shader& shader,
     info.stage.pName = "main";
     info.layout = pipeline.layout.pipeline;
     info.flags = device.pipelines().flags();
-    VK_CALL(vkCreateComputePipelines(device.handle(), VK_NULL_HANDLE, 1, &info, nullptr, &pipeline.handle));
+    VK_CALL(vkCreateComputePipelines(device.handle(), device.pipelines().cache(), 1, &info, nullptr,
+                                     &pipeline.handle));
     vkDestroyShaderModule(device.handle(), module, nullptr);
     return pipeline;
 }

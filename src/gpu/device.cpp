@@ -5,6 +5,7 @@
 #include "base/text.h"
 #include "gpu/device_failures.h"
 #include "gpu/device_memory.h"
+#include "gpu/pipeline_cache.h"
 #include "gpu/pipelines.h"
 #include "gpu/private/shader_folder.h"
 #include "gpu/workers.h"
@@ -278,7 +279,12 @@ void Device::make_device(const DeviceOptions& options) {
     info.ppEnabledExtensionNames = extensions.data();
     VK_CALL(vkCreateDevice(physical_, &info, nullptr, &device_));
     vkGetDeviceQueue(device_, queue_family_, 0, &queue_);
-    pipelines_ = std::make_unique<Pipelines>(device_, keeps_pipeline_statistics_);
+    // Workers are this processor once more: their drivers keep what they make in a place of their own. What
+    // is measured is made.
+    const bool keeps = worker_ < 0 && !keeps_pipeline_statistics_;
+    pipeline_cache_ =
+        std::make_unique<PipelineCache>(physical_, device_, keeps ? options.kept_pipelines : "");
+    pipelines_ = std::make_unique<Pipelines>(device_, pipeline_cache_->handle(), keeps_pipeline_statistics_);
     push_descriptors_ = reinterpret_cast<PFN_vkCmdPushDescriptorSetKHR>(
         vkGetDeviceProcAddr(device_, "vkCmdPushDescriptorSetKHR"));
     memory_ = std::make_unique<DeviceMemory>(*this, options.memory_limit_bytes,
@@ -292,6 +298,8 @@ Device::~Device() {
     if (device_ != VK_NULL_HANDLE) {
         if (pipelines_) pipelines_->stop();
         pipelines_.reset(); // whoever gave it work waited for that (Commands)
+        if (pipeline_cache_) pipeline_cache_->keep();
+        pipeline_cache_.reset();
         vkDestroyDevice(device_, nullptr);
     }
     if (messenger_ != VK_NULL_HANDLE) {

@@ -19,6 +19,7 @@
 namespace ghost::gpu {
 
 class DeviceMemory;
+class PipelineCache;
 class Pipelines;
 class ShaderFolder;
 
@@ -36,7 +37,8 @@ struct DeviceOptions {
         shaders; // a folder that they are read from (gpu/private/shader_folder.h); empty: those built in
     bool pipeline_statistics = false; // keep what drivers say of pipelines, where they do (Pipelines::made)
     LoweredLimits lowered_limits;     // none
-    bool workers = false; // make those that there can be (gpu/workers.h); not where memory is limited
+    bool workers = false;       // make those that there can be (gpu/workers.h); not where memory is limited
+    std::string kept_pipelines; // a folder for them (gpu/pipeline_cache.h); empty: none is kept
 };
 
 class Device {
@@ -55,6 +57,7 @@ public:
 
     Pipelines& pipelines() const { return *pipelines_; }
     void make_late_pipelines() const; // Pipelines::make_late, of its workers, too
+    const PipelineCache& pipeline_cache() const { return *pipeline_cache_; }
     DeviceMemory& memory() const { return *memory_; }
     RecordedWork& work() const { return *work_; }
     // The one that is built in, or that of DeviceOptions::shaders.
@@ -93,6 +96,7 @@ private:
     VkDevice device_ = VK_NULL_HANDLE;
     VkQueue queue_ = VK_NULL_HANDLE;
     PFN_vkCmdPushDescriptorSetKHR push_descriptors_ = nullptr;
+    std::unique_ptr<PipelineCache> pipeline_cache_;
     std::unique_ptr<Pipelines> pipelines_;
     std::unique_ptr<ShaderFolder> shaders_; // or null
     std::unique_ptr<DeviceMemory> memory_;

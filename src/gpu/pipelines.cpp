@@ -31,8 +31,8 @@ struct Pipelines::Entry {
     std::exception_ptr failure;
 };
 
-Pipelines::Pipelines(VkDevice device, bool keeps_statistics)
-    : device_(device), keeps_statistics_(keeps_statistics) {}
+Pipelines::Pipelines(VkDevice device, VkPipelineCache cache, bool keeps_statistics)
+    : device_(device), cache_(cache), keeps_statistics_(keeps_statistics) {}
 
 void Pipelines::stop() {
     {

@@ -57,7 +57,8 @@ public:
     // One that is made, or will be; lives as long as the device.
     struct Entry;
 
-    Pipelines(VkDevice device, bool keeps_statistics);
+    // cache: lives as long as this, or is none.
+    Pipelines(VkDevice device, VkPipelineCache cache, bool keeps_statistics);
     ~Pipelines();
     Pipelines(const Pipelines&) = delete;
     Pipelines& operator=(const Pipelines&) = delete;
@@ -80,7 +81,8 @@ public:
     // Of those that were asked for by finish() so far: how many were not there yet. What draws a frame and
     // waits here is late.
     std::uint64_t waited_for() const;
-    // For the `flags` of a pipeline that `make` makes.
+    // For a pipeline that `make` makes: where the driver looks first, and its `flags`.
+    VkPipelineCache cache() const { return cache_; }
     VkPipelineCreateFlags flags() const {
         return keeps_statistics_ ? VK_PIPELINE_CREATE_CAPTURE_STATISTICS_BIT_KHR : 0;
     }
@@ -93,6 +95,7 @@ private:
     std::vector<std::pair<std::string, double>> statistics_of(VkPipeline pipeline) const;
 
     VkDevice device_;
+    VkPipelineCache cache_;
     bool keeps_statistics_;
     mutable std::mutex mutex_;
     std::condition_variable changed_;

@@ -112,7 +112,8 @@ Pipeline make_pipeline(const Device& device, const Shader& vertex, const Shader&
     info.pColorBlendState = &blend;
     info.pDynamicState = &dynamic;
     info.layout = pipeline.layout.pipeline;
-    VK_CALL(vkCreateGraphicsPipelines(device.handle(), VK_NULL_HANDLE, 1, &info, nullptr, &pipeline.handle));
+    VK_CALL(vkCreateGraphicsPipelines(device.handle(), device.pipelines().cache(), 1, &info, nullptr,
+                                      &pipeline.handle));
     for (const VkPipelineShaderStageCreateInfo& stage : stages)
         vkDestroyShaderModule(device.handle(), stage.module, nullptr);
     return pipeline;

@@ -39,6 +39,9 @@ struct LightPass {
     std::vector<std::uint16_t> indirect;
 };
 
+// Of a pixel, beside its main one.
+inline constexpr std::uint32_t kMostExtraFragments = 3;
+
 struct Passes {
     int width = 0;
     int height = 0;

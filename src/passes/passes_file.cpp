@@ -222,7 +222,10 @@ Result<FragmentTable> read_fragments(const fs::path& folder, const PassManifest&
             return Error{"fragment " + std::to_string(k) + " belongs to no pixel or is out of order",
                          path.string()};
         last = static_cast<std::size_t>(owner);
-        ++count[last];
+        if (++count[last] > kMostExtraFragments)
+            return Error{"pixel " + std::to_string(last) + " has more than " +
+                             std::to_string(kMostExtraFragments) + " extra fragments",
+                         path.string()};
     }
     table.extra_first.assign(pixels + 1, 0);
     for (std::size_t p = 0; p < pixels; ++p) table.extra_first[p + 1] = table.extra_first[p] + count[p];

@@ -156,7 +156,7 @@ Result<PassManifest> parse_manifest(std::string_view text, const std::string& wh
     m.layout_key = top.text("layout_key");
     m.folder = top.file("folder");
     const std::int64_t pixels = static_cast<std::int64_t>(m.width) * m.height;
-    m.extra_count = static_cast<std::size_t>(top.whole("extra_count", 0, 3 * pixels));
+    m.extra_count = static_cast<std::size_t>(top.whole("extra_count", 0, kMostExtraFragments * pixels));
     m.has_emission = top.flag("has_emission");
     for (const json& entry : top.list("bodies")) {
         const Fields fields{entry, "bodies[" + std::to_string(m.bodies.size()) + "].", problem};

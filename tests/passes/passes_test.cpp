@@ -177,6 +177,23 @@ TEST_F(PassesFiles, EveryCutManifestAndEveryCutFragmentFileIsAnError) {
     }
 }
 
+TEST_F(PassesFiles, APixelHasNoMoreThanThreeExtraFragments) {
+    write_baked();
+    for (const std::uint32_t extras : {3u, 4u}) {
+        FragmentTable table = table_;
+        table.fragments.resize(6 + extras, table.fragments.front());
+        table.extra_first = {0, 0, extras, extras, extras, extras, extras};
+        ASSERT_TRUE(write_fragments(folder_ / "abc", table).ok());
+        PassManifest manifest = manifest_;
+        manifest.extra_count = extras;
+        const auto read = read_fragments(folder_ / "abc", manifest);
+        ASSERT_EQ(read.ok(), extras == 3);
+        if (!read.ok())
+            EXPECT_NE(read.error().what.find("pixel 1 has more than 3 extra fragments"), std::string::npos)
+                << read.error().what;
+    }
+}
+
 TEST_F(PassesFiles, AManifestNestedWithoutEndIsRefused) {
     const auto manifest = parse_manifest("{\"lights\": " + std::string(4'000'000, '['), "manifest.json");
     ASSERT_FALSE(manifest.ok());

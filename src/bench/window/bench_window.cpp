@@ -18,12 +18,27 @@ namespace fs = std::filesystem;
 
 constexpr double kWarm_s = 4;
 constexpr double kMeasured_s = 15;
+
 Result<void> bake_first_camera(const BenchOptions& options) {
     SessionOptions session;
     session.show = options.show;
     session.device = options.device;
     session.quiet = true;
     TRY_VOID(open_session(session));
+    return {};
+}
+
+// Links of bounced light, which the window would make beside its pictures.
+Result<void> make_links(const BenchOptions& options, scene::BounceDetail bounce) {
+    SessionOptions opening;
+    opening.show = options.show;
+    opening.device = options.device;
+    opening.quiet = true;
+    opening.live = true;
+    opening.bounce = bounce;
+    TRY(const std::unique_ptr<Session> session, open_session(opening));
+    session->bounce->wait_for_links(true);
+    if (std::optional<Error> failure = session->bounce->take_failure()) return *failure;
     return {};
 }
 
@@ -38,13 +53,15 @@ std::string flight() {
 
 struct Work {
     std::string name;
-    std::string before; // lines of a script, once the show is open
-    std::string lines;  // while it is measured; empty: nothing but the desk
+    std::string before;                          // lines of a script, once the show is open
+    std::string lines;                           // while it is measured; empty: nothing but the desk
+    std::optional<scene::BounceDetail> bounce{}; // instead of the show's
 };
 
 Result<void> measure(const BenchOptions& options, const Work& work, const BenchSink& sink) {
     const fs::path outcome = bench_file(".json"), begun = bench_file("-begun.json");
     LoadedWindow window;
+    window.bounce = work.bounce;
     window.script = "wait opened\nstate \"" + begun.string() + "\"\n" + work.before + "wait " +
                     std::to_string(kWarm_s) + "\nreset-figures\n" +
                     (work.lines.empty() ? "wait " + std::to_string(kMeasured_s) + "\n" : work.lines) +
@@ -84,6 +101,9 @@ Result<void> measure(const BenchOptions& options, const Work& work, const BenchS
 Result<void> bench_window(const BenchOptions& options, const BenchSink& sink) {
     if (options.soak_seconds > 0) return window_soak(options, sink);
     TRY_VOID(measure(options, {"free camera", "camera 1\nbaked off\n", ""}, sink));
+    constexpr scene::BounceDetail kBounce = scene::BounceDetail::normal;
+    TRY_VOID(make_links(options, kBounce));
+    TRY_VOID(measure(options, {"free camera, light bounces", "camera 1\nbaked off\n", "", kBounce}, sink));
     TRY_VOID(bake_first_camera(options));
     TRY_VOID(measure(options, {"baked camera", "camera 1\nbaked on\npanel-fixtures on\n", ""}, sink));
     TRY_VOID(measure(options, {"camera that flies", "baked off\n", flight()}, sink));

@@ -72,6 +72,7 @@ Result<bool> run_loaded_window(const BenchOptions& options, const LoadedWindow& 
     EngineOptions engine;
     engine.session.quiet = true;
     engine.session.device = options.device;
+    engine.session.bounce = load.bounce;
     engine.receiver.interface = "127.0.0.1";
     engine.receiver.artnet = false;
     engine.receiver.sacn_port = own_port();

@@ -5,6 +5,7 @@
 #include "live/session/live_view.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace ghost::app {
@@ -13,15 +14,27 @@ namespace {
 
 constexpr float kTooNear_m = 0.1f; // to look at
 
-} // namespace
-
-std::optional<glm::vec3> tracked_point_m(const scene::Show& show, const scene::TrackerUse& use,
-                                         const dmx::Trackers& trackers) {
+std::optional<glm::vec3> told_point_m(const scene::Show& show, const scene::TrackerUse& use,
+                                      const dmx::Trackers& trackers) {
     const dmx::Tracker* tracker =
         use.id >= 0 ? trackers.find(static_cast<std::uint16_t>(use.id)) : trackers.find(use.name);
     if (!tracker) return std::nullopt;
     const auto& [x, y, z] = tracker->position_m;
     return show.tracking.to_world({x, y, z}) + use.offset_m;
+}
+
+// Sums of squares of what is farther are no numbers, and a camera that looks there has no picture.
+bool is_of_a_stage(const glm::vec3& point_m) {
+    constexpr auto kMost_m = static_cast<float>(scene::kMaxCoordinate_m);
+    return std::abs(point_m.x) <= kMost_m && std::abs(point_m.y) <= kMost_m && std::abs(point_m.z) <= kMost_m;
+}
+
+} // namespace
+
+std::optional<glm::vec3> tracked_point_m(const scene::Show& show, const scene::TrackerUse& use,
+                                         const dmx::Trackers& trackers) {
+    const auto point_m = told_point_m(show, use, trackers);
+    return point_m && is_of_a_stage(*point_m) ? point_m : std::nullopt;
 }
 
 scene::Camera follow(const scene::Camera& camera, const scene::Show& show, const dmx::Trackers& trackers) {
@@ -64,8 +77,17 @@ void Followers::apply(Session& session, const dmx::Trackers& trackers) {
     homes_.resize(show.tracking.uses.size());
     for (std::size_t k = 0; k < show.tracking.uses.size(); ++k) {
         const scene::TrackerUse& use = show.tracking.uses[k];
-        const auto point_m = tracked_point_m(show, use, trackers);
+        const auto point_m = told_point_m(show, use, trackers);
         if (!point_m) continue;
+        if (!is_of_a_stage(*point_m)) {
+            if (std::exchange(homes_[k].said_far, true)) continue;
+            const std::size_t said = session.report.messages.size();
+            session.report.add(Severity::warning, use.where,
+                               "the tracker tells a place that is farther than 10 km away: what follows it "
+                               "stays where it is");
+            print_report(session.report, said);
+            continue;
+        }
         for (std::size_t i = 0; i < show.fixtures.size(); ++i)
             if (std::find(use.fixtures.begin(), use.fixtures.end(), show.fixtures[i].name) !=
                 use.fixtures.end())

@@ -21,6 +21,7 @@ public:
 private:
     struct Home {
         bool known = false;
+        bool said_far = false;
         std::optional<glm::vec3> at_m; // none: no such object
     };
     void move_objects(Session& session, const scene::TrackerUse& use, const glm::vec3& point_m, Home& home);
@@ -30,7 +31,8 @@ private:
     bool said_passes_ = false;
 };
 
-// Where the tracker of an entry is, in the show, with its offset; nothing before it was heard.
+// Where the tracker of an entry is, in the show, with its offset; nothing before it was heard, and where it
+// tells a place that is farther than anything of a show.
 std::optional<glm::vec3> tracked_point_m(const scene::Show& show, const scene::TrackerUse& use,
                                          const dmx::Trackers& trackers);
 

@@ -17,6 +17,7 @@
 #include "base/log.h"
 #include "base/progress.h"
 #include "base/steady_time.h"
+#include "disk/user_cache.h"
 
 #include <algorithm>
 #include <chrono>
@@ -30,6 +31,12 @@ namespace fs = std::filesystem;
 constexpr std::uint64_t kSpareToPark = std::uint64_t{256} << 20;
 constexpr float kSamePlace_m = 0.05f;
 constexpr int kMostPixelsAcross = 16384; // what every device of today takes
+
+// What drivers made of shaders (gpu/pipeline_cache.h); empty: this user has no place for it.
+std::string folder_of_pipelines() {
+    const fs::path cache = user_cache();
+    return cache.empty() ? "" : (cache / "pipelines").string();
+}
 
 Result<void> bake_view(const scene::Show& show, const std::string& view, const fs::path& folder, bool quiet,
                        Report& report) {
@@ -505,7 +512,8 @@ Result<std::unique_ptr<Session>> open_session(const SessionOptions& asked, scene
     if (ends()) return interruption;
     TRY(session->device,
         gpu::Device::create({options.device, options.validation, options.memory_limit_bytes, options.shaders,
-                             options.pipeline_statistics, options.lowered_limits, options.workers}));
+                             options.pipeline_statistics, options.lowered_limits, options.workers,
+                             folder_of_pipelines()}));
     log_info("drawing on " + session->device->name());
     session->rig = std::make_unique<scene::Rig>(*session->show);
     session->rig->movers().drive(session->movers);

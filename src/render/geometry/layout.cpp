@@ -56,7 +56,7 @@ Layout make_layout(const scene::Passes& passes, std::uint32_t tiles_x, std::uint
                 const std::uint32_t pixel = y * width + x;
                 together.push_back(pixel);
                 const std::uint32_t count = passes.extra_first[pixel + 1] - passes.extra_first[pixel];
-                CHECK(count <= 3);
+                CHECK(count <= scene::kMostExtraFragments);
                 if (count == 0) continue;
                 const auto first = static_cast<std::uint32_t>(layout.order.size() - passes.pixel_count());
                 layout.edges.emplace_back(pixel, first * 4 + count);

@@ -190,7 +190,7 @@ void add_fixture_actions(Actions& actions, AppModel& app) {
                  {}});
     actions.add({"release",
                  "Edit",
-                 translated("Action", "Release selected fixtures"),
+                 translated("Action", "Give the selected fixtures back"),
                  "R",
                  "",
                  [&app](const QStringList&) -> Result<void> {
@@ -199,22 +199,22 @@ void add_fixture_actions(Actions& actions, AppModel& app) {
                      if (std::none_of(selection.begin(), selection.end(),
                                       [&](std::size_t one) { return look.fixtures.contains(one); }))
                          return Error{selection.empty()
-                                          ? "no fixture is selected; Shift+R releases everything"
+                                          ? "no fixture is selected; Shift+R gives everything back"
                                           : "nothing of the selected fixtures is set by hand; "
-                                            "Shift+R releases everything",
+                                            "Shift+R gives everything back",
                                       ""};
-                     change_selected(app, translated("Undo", "release"), ProgrammerStep::step,
+                     change_selected(app, translated("Undo", "give back"), ProgrammerStep::step,
                                      [](fixture::Programmer& programmer) { programmer = {}; });
                      return {};
                  },
                  {}});
     actions.add({"release-all",
                  "Edit",
-                 translated("Action", "Release everything set by hand"),
+                 translated("Action", "Give back everything set by hand"),
                  "Shift+R",
                  "",
                  [&app](const QStringList&) -> Result<void> {
-                     app.set_look({}, translated("Undo", "release everything"));
+                     app.set_look({}, translated("Undo", "give everything back"));
                      return {};
                  },
                  {}});

@@ -765,9 +765,9 @@ constexpr const char* kSentences[] = {
     // what an action says that cannot be done
     QT_TRANSLATE_NOOP("Sentence", "no show is open"),
     QT_TRANSLATE_NOOP("Sentence", "no fixture is selected"),
-    QT_TRANSLATE_NOOP("Sentence", "no fixture is selected; Shift+R releases everything"),
+    QT_TRANSLATE_NOOP("Sentence", "no fixture is selected; Shift+R gives everything back"),
     QT_TRANSLATE_NOOP("Sentence",
-                      "nothing of the selected fixtures is set by hand; Shift+R releases everything"),
+                      "nothing of the selected fixtures is set by hand; Shift+R gives everything back"),
     QT_TRANSLATE_NOOP("Sentence", "nothing that is selected turns both ways"),
     QT_TRANSLATE_NOOP("Sentence", "there is no picture yet"),
     QT_TRANSLATE_NOOP("Sentence", "there is nothing but air to hide"),

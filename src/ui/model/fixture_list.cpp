@@ -119,7 +119,8 @@ QVariant FixtureList::data(const QModelIndex& index, int role) const {
     if (role == Qt::ToolTipRole) {
         if (shared_.contains(row))
             return translated("Fixtures", "Another fixture reads a channel of this one.");
-        if (app_.look().fixtures.contains(row)) return translated("Fixtures", "Set by hand; R releases it.");
+        if (app_.look().fixtures.contains(row))
+            return translated("Fixtures", "Set by hand; R gives it back.");
         return QString::fromStdString(fixture.gdtf.string());
     }
     return {};

@@ -9,6 +9,7 @@
 #include <QHeaderView>
 #include <QHelpEvent>
 #include <QPainter>
+#include <QRegularExpression>
 #include <QScrollBar>
 #include <QToolTip>
 #include <QVBoxLayout>
@@ -22,11 +23,25 @@ constexpr int kMostAcross = 32, kStepAcross = 8; // channels in a row
 constexpr int kBeside_px = 784;                  // of the panel, from which both halves are beside each other
 constexpr qint64 kFresh_ms = 600;                // a value that changed is marked so long
 constexpr int kSourceColumns = 10;
+constexpr int kIndent_px = 14;
 constexpr int kLeastRows = 6; // of the levels, that are seen
 
 QFont small_letters(QFont font) {
     font.setPointSizeF(font.pointSizeF() * 0.9);
     return font;
+}
+
+// What is wrong in a colour; what is known of it and what to try, which may be long, as a list below.
+QString paragraphs(const scene::Sentence& sentence) {
+    // Not after a letter of an abbreviation ("z. B.").
+    static const auto kNextSentence = QRegularExpression("(?<=\\w{2}[.?!]|\\)[.?!]) (?=[\\p{Lu}\\d])",
+                                                         QRegularExpression::UseUnicodePropertiesOption);
+    const QStringList parts = said(sentence.text).toHtmlEscaped().split(kNextSentence);
+    QString text = QString("<p style='margin:2px; color:%1'>%2</p>")
+                       .arg((sentence.is_problem ? bad() : faint()).name(), parts.front());
+    for (const QString& part : parts.mid(1))
+        text += QString("<p style='margin:1px 2px 1px %1px'>%2</p>").arg(kIndent_px).arg(part);
+    return text;
 }
 
 } // namespace
@@ -264,11 +279,7 @@ void NetworkPanel::refresh() {
 
 void NetworkPanel::refresh_diagnosis() {
     QString text;
-    for (const scene::Sentence& sentence : app_.diagnosis()) {
-        const QString words = said(sentence.text).toHtmlEscaped();
-        const QString colour = (sentence.is_problem ? bad() : faint()).name();
-        text += QString("<p style='margin:2px; color:%1'>%2</p>").arg(colour, words);
-    }
+    for (const scene::Sentence& sentence : app_.diagnosis()) text += paragraphs(sentence);
     if (text == diagnosis_->text()) return; // who reads on is not taken back to its beginning
     diagnosis_->setText(text);
     sentences_->setVisible(!text.isEmpty());

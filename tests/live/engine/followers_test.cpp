@@ -146,5 +146,37 @@ TEST(Followers, a_camera_turns_to_its_tracker) {
     EXPECT_EQ(follow(camera, show, trackers).target_m, camera.target_m);
 }
 
+// Of one that looks there the picture would be of no numbers, which nothing draws.
+TEST(Followers, a_place_that_is_no_place_of_a_stage_is_said_once_and_nothing_goes_there) {
+    SessionOptions opening;
+    opening.show = DemoCopy::show().string();
+    opening.view = "close";
+    opening.width = 64;
+    opening.height = 36;
+    opening.map_size = 256;
+    opening.quiet = opening.live = true;
+    const auto session = must(open_session(opening));
+    scene::TrackerUse use;
+    use.id = 3;
+    use.camera = "close";
+    use.fixtures = {session->show->fixtures[0].name};
+    session->show->tracking.uses = {use};
+    const scene::Camera camera = session->live->camera();
+    for (const float far_m : {1e20f, -1e38f, 12'000.0f}) {
+        Followers followers;
+        const std::size_t said = session->report.messages.size();
+        dmx::Trackers trackers;
+        dmx::PsnPacket packet;
+        packet.positions.push_back({3, {far_m, 0, 0}});
+        trackers.feed(packet, std::chrono::seconds(1));
+        EXPECT_EQ(follow(camera, *session->show, trackers).target_m, camera.target_m);
+        for (int frame = 0; frame < 3; ++frame) followers.apply(*session, trackers);
+        ASSERT_EQ(session->report.messages.size(), said + 1);
+        EXPECT_NE(session->report.messages.back().what.find("10 km"), std::string::npos);
+        session->rig->step({}, 0.1);
+        (void)session->draw(0);
+    }
+}
+
 } // namespace
 } // namespace ghost::app

@@ -4,6 +4,7 @@
 
 #include "ui/panels/network_panel.h"
 #include "ui/widgets/panel_area.h"
+#include "ui/widgets/theme.h"
 
 namespace ghost::ui {
 namespace {
@@ -68,6 +69,13 @@ TEST(NetworkPanel, however_much_is_wrong_the_levels_are_in_sight) {
     EXPECT_GT(label->height(), sentences->height()) << "it is scrolled";
     EXPECT_GE(sentences->height(), 2 * label->fontMetrics().height());
     EXPECT_TRUE(is_in_sight());
+    // What is wrong in the colour for it, what to look at in that of all text.
+    const auto& found = bench.app.diagnosis();
+    EXPECT_EQ(label->text().count(bad().name()),
+              std::count_if(found.begin(), found.end(), [](const auto& one) { return one.is_problem; }))
+        << label->text().toStdString();
+    EXPECT_GT(label->text().count("<p"), 2);
+    EXPECT_TRUE(label->text().contains(">We listen on")) << label->text().toStdString();
 }
 
 TEST(NetworkPanel, every_level_can_be_read_and_those_of_the_selection_are_scrolled_to) {

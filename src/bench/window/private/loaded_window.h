@@ -5,10 +5,12 @@
 // memory. Main thread; errors: the show cannot be opened, has no recording, or a line of the script failed.
 
 #include "bench/bench.h"
+#include "show/bounce_detail.h"
 
 #include <filesystem>
 #include <functional>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 
 namespace ghost::app {
@@ -18,7 +20,8 @@ struct LoadedWindow {
     static constexpr double kRate_hz = 44;
 
     std::string script; // lines of docs/guide/window.md; it begins with "wait opened" and ends with "quit"
-    std::function<void()> on_tick; // ten times a second on the window's thread; may be empty
+    std::optional<scene::BounceDetail> bounce; // instead of the show's
+    std::function<void()> on_tick;             // ten times a second on the window's thread; may be empty
 };
 
 // Returns when the script's "quit" is done or the program is interrupted: whether it was drawn into memory.
