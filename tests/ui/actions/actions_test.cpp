@@ -58,6 +58,41 @@ TEST(Actions, lines_are_split_at_blanks_and_quotes) {
     EXPECT_FALSE(split_line("select \"Spot 1").ok());
 }
 
+TEST(Actions, whatever_is_typed_is_one_argument_with_its_quotes) {
+    for (const char* const words :
+         {"pipe 12\" left", "on \"Go!\"", "", "\"", "back\\slash", "at the end\\", "\\\"", "\\\\\" \\\\", "  "}) {
+        const auto split = split_line("cue-set 1 notes " + quoted(words) + " x");
+        ASSERT_TRUE(split.ok()) << words;
+        EXPECT_EQ(*split, (QStringList{"cue-set", "1", "notes", words, "x"}));
+    }
+    const auto plain = split_line("open C:\\shows\\tour \\\"a\\\"");
+    ASSERT_TRUE(plain.ok());
+    EXPECT_EQ(*plain, (QStringList{"open", "C:\\shows\\tour", "\"a\""}));
+}
+
+TEST(Actions, a_word_behind_the_last_argument_is_none_that_is_left_out_in_silence) {
+    Opened4 opened;
+    EXPECT_EQ(opened.error_of("select *"), "");
+    EXPECT_EQ(opened.error_of("intensity 0.5 0.7"), "intensity: '0.7' is a word too many: it takes NUMBER");
+    EXPECT_TRUE(opened.request().look.is_empty());
+    EXPECT_NE(opened.error_of("loop 1 2 3"), "");
+    EXPECT_NE(opened.error_of("cancel-bounce maybe"), "");
+    EXPECT_EQ(opened.error_of("select \"Lamp 1\" \"Lamp 2\" \"Lamp 3\""), "") << "as many as one likes";
+}
+
+TEST(Actions, record_is_a_switch_that_may_name_its_file) {
+    Opened4 opened;
+    EXPECT_EQ(opened.error_of("record on"), "");
+    const std::string file = opened.request().record_to;
+    EXPECT_TRUE(QString::fromStdString(file).endsWith(".ghostdmx")) << file;
+    EXPECT_EQ(opened.error_of("record on"), "");
+    EXPECT_EQ(opened.request().record_to, file);
+    EXPECT_EQ(opened.error_of("record off"), "");
+    EXPECT_EQ(opened.request().record_to, "");
+    EXPECT_EQ(opened.error_of("record mine.ghostdmx"), "");
+    EXPECT_EQ(opened.request().record_to, "mine.ghostdmx");
+}
+
 // A dialog would wait for ever for a person who is not there.
 TEST(Actions, what_asks_a_person_for_a_file_tells_a_script_to_name_it) {
     Opened4 opened;
