@@ -66,6 +66,8 @@ void CueList::take_cues() {
         app_.publish_cue("");
     } else {
         find_called();
+        // Who listens for remote controls may have opened it as another show.
+        if (!app_.opened().is_edit) app_.publish_cue(current_ ? names_[*current_] : "");
     }
     Q_EMIT changed();
 }

@@ -14,6 +14,8 @@
 #include <QComboBox>
 #include <QDockWidget>
 #include <QDropEvent>
+#include <QJsonDocument>
+#include <QJsonObject>
 #include <QKeyEvent>
 #include <QLocalSocket>
 #include <QMenuBar>
@@ -91,6 +93,25 @@ TEST(Actions, record_is_a_switch_that_may_name_its_file) {
     EXPECT_EQ(opened.request().record_to, "");
     EXPECT_EQ(opened.error_of("record mine.ghostdmx"), "");
     EXPECT_EQ(opened.request().record_to, "mine.ghostdmx");
+}
+
+TEST(Actions, the_state_has_what_a_remote_control_holds) {
+    Opened4 opened;
+    QTemporaryDir folder;
+    const auto held = [&] {
+        const QString file = folder.filePath("state.json");
+        EXPECT_EQ(opened.error_of("state " + quoted(file).toStdString()), "");
+        const auto text = read_text_file(file.toStdString(), 1 << 20);
+        EXPECT_TRUE(text.ok());
+        return QJsonDocument::fromJson(QByteArray::fromStdString(*text)).object()["remote"].toObject();
+    };
+    EXPECT_TRUE(held().isEmpty());
+    RigNow rig = four_lit();
+    rig.remote = {.master = 0.5f, .black_out = true, .ev100 = 12.0f};
+    opened.link.rig.put(std::move(rig));
+    opened.link.on_news();
+    settle();
+    EXPECT_EQ(held(), (QJsonObject{{"master", 0.5}, {"black_out", true}, {"ev100", 12.0}}));
 }
 
 // A dialog would wait for ever for a person who is not there.
