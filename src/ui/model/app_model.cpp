@@ -328,7 +328,9 @@ void AppModel::open_made_of_plot(const std::string& show) {
 
 void AppModel::open_copy(const std::string& show) {
     const double now_s = moment_s();
+    const std::uint64_t before = request_.opens;
     open(show);
+    if (request_.opens == before) return;
     copy_ = request_.opens;
     change_request([&](ViewRequest& request) {
         ++request.transport.seeks;
