@@ -84,10 +84,9 @@ QString Actions::ask_file(const FileQuestion& asks, QWidget* over) {
                       : asks.begins == Begins::beside_show ? QFileInfo(of_show.absolutePath()).path()
                                                            : of_show.absolutePath());
     QWidget* const parent = over ? over : &window_;
-    QString file =
-        asks.proposed.isEmpty()
-            ? QFileDialog::getOpenFileName(parent, asks.title, folder.path(), asks.endings)
-            : ask_name(parent, asks, folder);
+    QString file = asks.proposed.isEmpty()
+                       ? QFileDialog::getOpenFileName(parent, asks.title, folder.path(), asks.endings)
+                       : ask_name(parent, asks, folder);
     if (!file.isEmpty()) last_folders_[asks.title] = QFileInfo(file).absolutePath();
     return file;
 }

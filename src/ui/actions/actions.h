@@ -89,8 +89,8 @@ private:
     bool by_hand_ = false;
 };
 
-// "a "b c"" -> a, b c. A quote that is meant has a \ before it; a \ is one everywhere else, and before a quote
-// that is none where there are two of them. Error: a quote without its end.
+// "a "b c"" -> a, b c. A quote that is meant has a \ before it; a \ is one everywhere else, and before a
+// quote that is none where there are two of them. Error: a quote without its end.
 Result<QStringList> split_line(const QString& line);
 // As one argument of a line, with whatever stands in it.
 QString quoted(const QString& words);

@@ -47,8 +47,7 @@ Result<void> play_file(AppModel& app, const std::string& file) {
 
 void add_recorder(Actions& actions, AppModel& app) {
     actions.add({"record", "Play", translated("Action", "Record what the desk sends"), "Ctrl+R",
-                 "[on|off|FILE]",
-                 [&app](const QStringList& words) { return record(app, words); },
+                 "[on|off|FILE]", [&app](const QStringList& words) { return record(app, words); },
                  [&app] { return !app.request().record_to.empty(); }});
     actions.add({"play-recorded",
                  "Play",

@@ -73,8 +73,8 @@ Result<void> make_show(AppModel& app, const QString& folder) {
     return {};
 }
 
-// What a show names lies beside it, so it can only go on beside the file that is open. was_asked: a person was,
-// whether the file of that name is to go.
+// What a show names lies beside it, so it can only go on beside the file that is open. was_asked: a person
+// was, whether the file of that name is to go.
 Result<void> save_as(AppModel& app, ShowDocument& document, const QStringList& words, bool was_asked) {
     if (!app.show()) return Error{"no show is open", ""};
     fs::path file = words[0].toStdString();

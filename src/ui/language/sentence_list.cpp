@@ -912,8 +912,8 @@ constexpr const char* kSentences[] = {
     QT_TRANSLATE_NOOP(
         "Sentence", "camera '%1' cannot be removed: cue '%2' goes to it; give that cue another camera first"),
     QT_TRANSLATE_NOOP("Sentence", "camera '%1' cannot be removed: a tracker moves it"),
-    QT_TRANSLATE_NOOP(
-        "Sentence", "look '%1' cannot be removed: cue '%2' recalls it; give that cue another look first"),
+    QT_TRANSLATE_NOOP("Sentence",
+                      "look '%1' cannot be removed: cue '%2' recalls it; give that cue another look first"),
     QT_TRANSLATE_NOOP("Sentence", "camera '%1' cannot be removed: mover '%2' carries it"),
     QT_TRANSLATE_NOOP("Sentence", "it needs a camera and its new name"),
     QT_TRANSLATE_NOOP("Sentence", "is no model, expected .glb, .gltf, .obj or .3ds"),

@@ -148,9 +148,9 @@ void set_parameter(const scene::PatchedFixture& fixture, const std::string& attr
 void hold(const scene::PatchedFixture& fixture, const fixture::Levels& levels, Programmer& programmer) {
     if (!fixture.type) return;
     const fixture::Patch patch = fixture.patch();
-    const std::vector<fixture::ChannelReading> readings = programmer.levels.empty()
-                                                              ? fixture::read_channels(patch, levels)
-                                                              : fixture::read_levels(patch, programmer.levels);
+    const std::vector<fixture::ChannelReading> readings =
+        programmer.levels.empty() ? fixture::read_channels(patch, levels)
+                                  : fixture::read_levels(patch, programmer.levels);
     programmer.levels.clear();
     const std::vector<Channel>& channels = patch.mode_of().channels;
     for (std::size_t i = 0; i < channels.size(); ++i) {

@@ -213,8 +213,7 @@ void CuePanel::fill() {
                 table_->setItem(static_cast<int>(i), column, item);
             }
             item->setText(text_of(cues[i], column));
-            item->setData(Qt::ForegroundRole,
-                          cues_.current() == i ? QVariant(QBrush(accent())) : QVariant());
+            item->setData(Qt::ForegroundRole, cues_.current() == i ? QVariant(QBrush(accent())) : QVariant());
         }
     }
     if (!cues.empty())

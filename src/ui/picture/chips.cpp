@@ -56,9 +56,9 @@ void add_remote(const RemoteNow& remote, std::vector<Chip>& chips) {
         chips.push_back(
             {translated("Chips", "MASTER %1 % (remote)").arg(std::lround(100 * remote.master)), accent()});
     if (remote.haze != 1.0f)
-        chips.push_back({translated("Chips", "HAZE x %1 (remote)")
-                             .arg(static_cast<double>(remote.haze), 0, 'g', 3),
-                         accent()});
+        chips.push_back(
+            {translated("Chips", "HAZE x %1 (remote)").arg(static_cast<double>(remote.haze), 0, 'g', 3),
+             accent()});
     if (remote.tone)
         chips.push_back({translated("Chips", "TONE %1 (remote)")
                              .arg(QString::fromStdString(image::name_of(*remote.tone))),

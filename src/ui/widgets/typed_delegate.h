@@ -1,7 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: Apache-2.0
-// TypedDelegate: what is being typed in a cell of a list stays there when the list tells of other changes: a mark
-// of another colour would bring the old text back. Window thread.
+// TypedDelegate: what is being typed in a cell of a list stays there when the list tells of other changes: a
+// mark of another colour would bring the old text back. Window thread.
 
 #include <QLineEdit>
 #include <QStyledItemDelegate>

@@ -158,9 +158,10 @@ TEST(Remote, an_edit_of_the_show_leaves_it_in_its_cue) {
 
 TEST(Remote, another_show_lets_go_of_light_air_exposure_and_tone) {
     Remote remote({"house"});
-    for (const auto& [address, value] :
-         {std::pair<const char*, dmx::OscArgument>{"/ghostlight/master", 0.25}, {"/ghostlight/blackout", 1.0},
-          {"/ghostlight/haze", 3.0}, {"/ghostlight/exposure", 12.0}})
+    for (const auto& [address, value] : {std::pair<const char*, dmx::OscArgument>{"/ghostlight/master", 0.25},
+                                         {"/ghostlight/blackout", 1.0},
+                                         {"/ghostlight/haze", 3.0},
+                                         {"/ghostlight/exposure", 12.0}})
         EXPECT_TRUE(remote.apply(message(address, {value})).ok());
     EXPECT_TRUE(remote.apply(message("/ghostlight/tone", {std::string("linear")})).ok());
     remote.know({"house"}, {});

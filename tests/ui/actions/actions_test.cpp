@@ -61,8 +61,8 @@ TEST(Actions, lines_are_split_at_blanks_and_quotes) {
 }
 
 TEST(Actions, whatever_is_typed_is_one_argument_with_its_quotes) {
-    for (const char* const words :
-         {"pipe 12\" left", "on \"Go!\"", "", "\"", "back\\slash", "at the end\\", "\\\"", "\\\\\" \\\\", "  "}) {
+    for (const char* const words : {"pipe 12\" left", "on \"Go!\"", "", "\"", "back\\slash", "at the end\\",
+                                    "\\\"", "\\\\\" \\\\", "  "}) {
         const auto split = split_line("cue-set 1 notes " + quoted(words) + " x");
         ASSERT_TRUE(split.ok()) << words;
         EXPECT_EQ(*split, (QStringList{"cue-set", "1", "notes", words, "x"}));

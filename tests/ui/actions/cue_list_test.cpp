@@ -275,8 +275,8 @@ struct PlayedCues : Desk {
         std::string text = kShow;
         int number = 0;
         for (const QString& at_s : QString::fromStdString(seconds).split(' '))
-            text += "[[cue]]\nname = \"Cue " + std::to_string(++number) +
-                    "\"\nat_s = " + at_s.toStdString() + "\ncamera = \"front\"\n";
+            text += "[[cue]]\nname = \"Cue " + std::to_string(++number) + "\"\nat_s = " + at_s.toStdString() +
+                    "\ncamera = \"front\"\n";
         EXPECT_TRUE(write_file_atomic(file, text).ok());
         open();
         cues.set_follows_recording(true);

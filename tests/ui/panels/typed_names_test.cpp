@@ -18,10 +18,11 @@ struct TypingDesk : Desk {
         for (const char* const name : {"A", "B"})
             text += std::string("[[cue]]\nname = \"") + name + "\"\nlook = \"Blue\"\n";
         EXPECT_TRUE(write_file_atomic(file, text).ok());
-        EXPECT_TRUE(write_file_atomic(file.parent_path() / "looks.toml",
-                                      "[[look]]\nname = \"Blue\"\n[[look.fixture]]\nname = \"Lamp 1\"\nintensity "
-                                      "= 0.25\n[[look]]\nname = \"Red\"\n")
-                        .ok());
+        EXPECT_TRUE(
+            write_file_atomic(file.parent_path() / "looks.toml",
+                              "[[look]]\nname = \"Blue\"\n[[look.fixture]]\nname = \"Lamp 1\"\nintensity "
+                              "= 0.25\n[[look]]\nname = \"Red\"\n")
+                .ok());
         open();
         add_cue_actions(actions, cues);
         add_look_actions(actions, app, looks);

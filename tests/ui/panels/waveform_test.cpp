@@ -18,8 +18,8 @@ TEST(Waveform, the_left_button_goes_there_and_no_other) {
     Waveform waveform(bench.app, nullptr);
     waveform.resize(600, 30);
     const auto click = [&](Qt::MouseButton button, Qt::KeyboardModifiers with) {
-        for (const auto& [type, held] :
-             {std::pair{QEvent::MouseButtonPress, Qt::MouseButtons(button)}, {QEvent::MouseButtonRelease, {}}}) {
+        for (const auto& [type, held] : {std::pair{QEvent::MouseButtonPress, Qt::MouseButtons(button)},
+                                         {QEvent::MouseButtonRelease, {}}}) {
             QMouseEvent event(type, QPointF(300, 10), QPointF(300, 10), button, held, with);
             QCoreApplication::sendEvent(&waveform, &event);
         }

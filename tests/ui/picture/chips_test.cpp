@@ -56,8 +56,8 @@ TEST(Chips, what_a_remote_control_holds_is_told_from_what_the_window_does) {
     const QStringList held =
         words({.master = 0.25f, .black_out = true, .haze = 2, .ev100 = 12.0f, .tone = image::Tone::linear});
     EXPECT_EQ(held.front(), "BLACK-OUT (remote)");
-    for (const char* const one : {"MASTER 25 % (remote)", "EV 0.0 (remote)", "HAZE x 2 (remote)",
-                                  "TONE linear (remote)"})
+    for (const char* const one :
+         {"MASTER 25 % (remote)", "EV 0.0 (remote)", "HAZE x 2 (remote)", "TONE linear (remote)"})
         EXPECT_TRUE(held.contains(one)) << one << " in " << held.join("|").toStdString();
     EXPECT_FALSE(held.contains("BLACK-OUT"));
 }

@@ -124,9 +124,8 @@ TEST(UndoKeys, a_number_that_is_stepped_by_its_arrow_gives_the_keys_back_to_the_
     option.stepEnabled = QAbstractSpinBox::StepUpEnabled | QAbstractSpinBox::StepDownEnabled;
     option.frame = number->hasFrame();
     option.buttonSymbols = number->buttonSymbols();
-    const QPointF arrow = number->style()
-                              ->subControlRect(QStyle::CC_SpinBox, &option, QStyle::SC_SpinBoxUp, number)
-                              .center();
+    const QPointF arrow =
+        number->style()->subControlRect(QStyle::CC_SpinBox, &option, QStyle::SC_SpinBoxUp, number).center();
     const auto click = [&](QEvent::Type type, Qt::MouseButtons held) {
         QMouseEvent event(type, arrow, number->mapToGlobal(arrow), Qt::LeftButton, held, Qt::NoModifier);
         QCoreApplication::sendEvent(number, &event);
