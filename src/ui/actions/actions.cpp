@@ -108,8 +108,8 @@ namespace {
 
 // Of a line, by what is said of them to people: "FROM TO|off" are two. Nothing: as many as one likes.
 std::optional<qsizetype> most_arguments(const Action& action) {
-    static const QRegularExpression kMany("\\.\\.\\.|\\b(NUMBERS|OPTIONS)\\b");
-    if (action.arguments.contains(kMany)) return std::nullopt;
+    for (const char* const many : {"...", "NUMBERS", "OPTIONS"})
+        if (action.arguments.contains(many)) return std::nullopt;
     return action.arguments.split(' ', Qt::SkipEmptyParts).size();
 }
 
