@@ -790,6 +790,26 @@
         <translation>MASTER %1 %</translation>
     </message>
     <message>
+        <source>MASTER %1 % (remote)</source>
+        <translation>MASTER %1 % (Fernsteuerung)</translation>
+    </message>
+    <message>
+        <source>HAZE x %1 (remote)</source>
+        <translation>NEBEL x %1 (Fernsteuerung)</translation>
+    </message>
+    <message>
+        <source>TONE %1 (remote)</source>
+        <translation>TONKURVE %1 (Fernsteuerung)</translation>
+    </message>
+    <message>
+        <source>BLACK-OUT (remote)</source>
+        <translation>BLACKOUT (Fernsteuerung)</translation>
+    </message>
+    <message>
+        <source>%1 (remote)</source>
+        <translation>%1 (Fernsteuerung)</translation>
+    </message>
+    <message>
         <source>by hand: %1</source>
         <translation>von Hand: %1</translation>
     </message>
@@ -4996,6 +5016,10 @@ Bitte den Namen des Ordners prüfen.</translation>
         <translation>nimmt nichts entgegen, was also ist &apos;%1&apos;?</translation>
     </message>
     <message>
+        <source>&apos;%1&apos; is a word too many: it takes %2</source>
+        <translation>&apos;%1&apos; ist ein Wort zu viel: es nimmt %2</translation>
+    </message>
+    <message>
         <source>&apos;%1&apos; is neither on nor off</source>
         <translation>&apos;%1&apos; ist weder on noch off</translation>
     </message>
@@ -5470,6 +5494,10 @@ Bitte den Namen des Ordners prüfen.</translation>
     <message>
         <source>is there already; a new show needs a name of its own</source>
         <translation>gibt es schon; eine neue Show braucht einen eigenen Namen</translation>
+    </message>
+    <message>
+        <source>is there already: another name, or over it (in a script: save-as FILE over)</source>
+        <translation>gibt es schon: ein anderer Name, oder darüber (in einem Skript: save-as FILE over)</translation>
     </message>
     <message>
         <source>cannot be made: %1</source>
@@ -6992,6 +7020,10 @@ Bitte den Namen des Ordners prüfen.</translation>
         <translation>Kamera &apos;%1&apos; kann nicht entfernt werden: ein Tracker bewegt sie</translation>
     </message>
     <message>
+        <source>look &apos;%1&apos; cannot be removed: cue &apos;%2&apos; recalls it; give that cue another look first</source>
+        <translation>Look &apos;%1&apos; kann nicht entfernt werden: Cue &apos;%2&apos; ruft ihn ab; gib ihm zuerst einen anderen Look</translation>
+    </message>
+    <message>
         <source>camera &apos;%1&apos; cannot be removed: mover &apos;%2&apos; carries it</source>
         <translation>Kamera &apos;%1&apos; kann nicht entfernt werden: Mover &apos;%2&apos; trägt sie</translation>
     </message>
@@ -7272,6 +7304,18 @@ Bitte den Namen des Ordners prüfen.</translation>
     <message>
         <source>release attenuation</source>
         <translation>Abfall freigeben</translation>
+    </message>
+    <message>
+        <source>attenuation</source>
+        <translation>Abfall</translation>
+    </message>
+    <message>
+        <source>shadows</source>
+        <translation>Schatten</translation>
+    </message>
+    <message>
+        <source>smoke</source>
+        <translation>Nebel</translation>
     </message>
     <message numerus="yes">
         <source>show %n object(s)</source>

@@ -217,6 +217,16 @@ struct MoverNow {
     std::vector<float> asked;  // likewise, if no hand held it
 };
 
+// What a remote control (OSC, a browser) asks for beside the request of the window, until it lets go of it or
+// another show is opened.
+struct RemoteNow {
+    float master = 1; // times that of the window
+    bool black_out = false;
+    float haze = 1;                  // times the show's density
+    std::optional<float> ev100;      // instead of the camera's
+    std::optional<image::Tone> tone; // instead of the one that was chosen
+};
+
 struct RigNow {
     std::vector<FixtureNow> fixtures;
     dmx::Universes universes;
@@ -227,6 +237,7 @@ struct RigNow {
     double recorded_s = -1;  // of the recording that is made; below 0: none is
     std::string timecode;    // what is to be said of the time code that is followed; "": nothing
     std::vector<MoverNow> movers;
+    RemoteNow remote;
 };
 
 struct Explained {

@@ -205,7 +205,7 @@ void Engine::adopt(std::unique_ptr<Session> session, Opening::Kind kind) {
     if (kind != Opening::Kind::another && session_before)
         session_->rig->go_on_from(*session_before->rig,
                                   same_fixtures(*session_before->show, *session_->show));
-    begin_controls();
+    begin_controls(kind);
     const std::unique_ptr<LiveInput> before = std::move(input_);
     look_ = std::make_unique<AppliedLook>(*session_);
     motion_ = session_->show->motion;
@@ -266,8 +266,9 @@ void Engine::clean() {
                  show.folder.string());
 }
 
-void Engine::begin_controls() {
-    controls_.begin(*session_);
+void Engine::begin_controls(Opening::Kind kind) {
+    controls_.begin(*session_, kind == Opening::Kind::another ? LiveControls::Of::another_show
+                                                              : LiveControls::Of::the_same_show);
     const std::string& osc = options_.controls.osc;
     if (osc.empty() || controls_.has_remote()) return;
     if (const Result<void> opened = controls_.open_remote(osc, *session_->show); !opened.ok())

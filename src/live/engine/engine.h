@@ -76,7 +76,7 @@ private:
     void open(const std::string& path);
     void adopt(std::unique_ptr<Session> session, Opening::Kind kind);
     void clean();
-    void begin_controls();
+    void begin_controls(Opening::Kind kind);
     void forget_baked();
     double now_s() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
 

@@ -262,7 +262,7 @@ void Engine::frame() {
         session_->device->make_late_pipelines(); // a gobo that is first used must not be late
     }
     bounce_news_.publish(*session_, bounce_ms_, begin_s);
-    rig_news_.publish(*session_, *input_, shown_.lights, recorder_.seconds(), begin_s);
+    rig_news_.publish(*session_, *input_, controls_.remote(), shown_.lights, recorder_.seconds(), begin_s);
     rig_news_.explain(
         {request_.explained, request_.hovered, request_.explains_all}, *session_, *input_, patch_,
         [&]() -> const bake::Tracer& { return probe_.tracer(*session_); }, begin_s);

@@ -40,8 +40,12 @@ Result<void> LiveControls::open_trackers(const std::string& interface) {
     return {};
 }
 
-void LiveControls::begin(Session& session) {
+void LiveControls::begin(Session& session, Of of) {
     followers_ = {};
+    if (of == Of::another_show) {
+        remote_.begin(camera_names(*session.show), session.show->cues);
+        request_ = remote_.request(); // what was asked for of the show before is no news of this one
+    }
     know(session);
 }
 

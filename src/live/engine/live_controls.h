@@ -43,8 +43,9 @@ public:
     bool has_remote() const { return remote_input_ != nullptr; }
     bool has_trackers() const { return trackers_ != nullptr; }
 
-    // Another session: what follows starts anew; faders stay where they are.
-    void begin(Session& session);
+    // Another session: what follows starts anew. Faders stay where they are, but for another show.
+    enum class Of { the_same_show, another_show };
+    void begin(Session& session, Of of);
     // The cue that was called last, by whoever keeps their list; "": none.
     void be_in(const std::string& cue) { remote_.be_in(cue); }
     // Its show has other cameras or cues.

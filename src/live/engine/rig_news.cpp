@@ -30,8 +30,8 @@ std::vector<ui::Verdict> verdicts_of(const scene::Explainer& explainer, std::siz
 
 } // namespace
 
-void RigNews::publish(const Session& session, const LiveInput& input, const scene::FrameLights& drawn,
-                      std::optional<double> recorded_s, double now_s) {
+void RigNews::publish(const Session& session, const LiveInput& input, const RemoteRequest& remote,
+                      const scene::FrameLights& drawn, std::optional<double> recorded_s, double now_s) {
     if (now_s - sent_s_ < kRigEvery_s) return;
     sent_s_ = now_s;
     ui::RigNow rig;
@@ -41,6 +41,7 @@ void RigNews::publish(const Session& session, const LiveInput& input, const scen
     rig.seeks = input.seeks();
     rig.recording_s = input.recording_s();
     rig.timecode = input.timecode_text();
+    rig.remote = {remote.master, remote.blackout, remote.haze, remote.ev100, remote.tone};
     if (recorded_s) rig.recorded_s = *recorded_s;
     for (std::size_t k = 0; k < session.show->movers.size(); ++k)
         rig.movers.push_back({session.rig->movers().values(k), session.rig->movers().goals(k),

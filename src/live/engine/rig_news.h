@@ -5,6 +5,7 @@
 
 #include "link/link.h"
 #include "live/inputs/live_input.h"
+#include "live/inputs/remote.h"
 #include "live/session/session.h"
 #include "rays/tracer.h"
 
@@ -18,8 +19,8 @@ public:
     explicit RigNews(ui::Link& link) : link_(link) {}
 
     // drawn: the lights of the picture. recorded_s: nothing is being recorded where it is nothing.
-    void publish(const Session& session, const LiveInput& input, const scene::FrameLights& drawn,
-                 std::optional<double> recorded_s, double now_s);
+    void publish(const Session& session, const LiveInput& input, const RemoteRequest& remote,
+                 const scene::FrameLights& drawn, std::optional<double> recorded_s, double now_s);
 
     struct Question {
         std::optional<std::size_t> fixture; // of the show

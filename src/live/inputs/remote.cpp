@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
+#include <utility>
 
 namespace ghost::app {
 
@@ -93,6 +95,7 @@ Result<void> Remote::call_cue(const Asked& asked, int steps) {
                      asked.where};
     cue_ = index;
     const scene::Cue& cue = cues_[index];
+    in_ = cue.name;
     request_.cue = cue.name;
     ++request_.cues;
     if (!cue.look.empty()) {
@@ -110,13 +113,41 @@ Result<void> Remote::call_cue(const Asked& asked, int steps) {
     return {};
 }
 
+// Whoever keeps the list may know an edit of it earlier: a name that is not there yet moves nothing.
 void Remote::be_in(const std::string& cue) {
+    in_ = cue;
     const auto found =
         std::find_if(cues_.begin(), cues_.end(), [&](const scene::Cue& one) { return one.name == cue; });
-    if (found == cues_.end())
-        cue_.reset();
-    else
+    if (found != cues_.end())
         cue_ = static_cast<std::size_t>(found - cues_.begin());
+    else if (cue.empty())
+        cue_.reset();
+}
+
+void Remote::know(std::vector<std::string> cameras, std::vector<scene::Cue> cues) {
+    const std::vector<scene::Cue> before = std::exchange(cues_, std::move(cues));
+    cameras_ = std::move(cameras);
+    const auto place_of = [&](const std::string& name) -> std::optional<std::size_t> {
+        const auto found =
+            std::find_if(cues_.begin(), cues_.end(), [&](const scene::Cue& one) { return one.name == name; });
+        return found == cues_.end() ? std::nullopt
+                                    : std::optional(static_cast<std::size_t>(found - cues_.begin()));
+    };
+    const std::optional<std::size_t> was = std::exchange(cue_, place_of(in_));
+    for (std::size_t i = was ? *was + 1 : 0; !cue_ && i > 0; --i) cue_ = place_of(before[i - 1].name);
+}
+
+void Remote::begin(std::vector<std::string> cameras, std::vector<scene::Cue> cues) {
+    cameras_ = std::move(cameras);
+    cues_ = std::move(cues);
+    in_.clear();
+    cue_.reset();
+    const RemoteRequest none;
+    request_.master = none.master;
+    request_.blackout = none.blackout;
+    request_.haze = none.haze;
+    request_.ev100 = none.ev100;
+    request_.tone = none.tone;
 }
 
 // By name; then seconds of the fade there.

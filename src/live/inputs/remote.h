@@ -61,12 +61,10 @@ public:
     const RemoteRequest& request() const { return request_; }
     // The cue that the show is in, whoever called it: "go" is the one behind it. "": none.
     void be_in(const std::string& cue);
-    // Another show's; the request stays.
-    void know(std::vector<std::string> cameras, std::vector<scene::Cue> cues) {
-        cameras_ = std::move(cameras);
-        cues_ = std::move(cues);
-        cue_.reset();
-    }
+    // The same show has others now: it is in the cue of that name still, and the request stays.
+    void know(std::vector<std::string> cameras, std::vector<scene::Cue> cues);
+    // Those of another show, which is in no cue; nothing is held of its light, exposure and tone.
+    void begin(std::vector<std::string> cameras, std::vector<scene::Cue> cues);
 
 private:
     struct Asked;
@@ -76,7 +74,8 @@ private:
 
     std::vector<std::string> cameras_;
     std::vector<scene::Cue> cues_;
-    std::optional<std::size_t> cue_; // called last
+    std::string in_;                 // name of the cue that was called last, which may be of a show to come
+    std::optional<std::size_t> cue_; // its place; where it has none, that of the one before it
     RemoteRequest request_;
 };
 

@@ -6,8 +6,10 @@
 #include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
+#include <QRegularExpression>
 
 #include <cmath>
+#include <optional>
 #include <utility>
 
 namespace ghost::ui {
@@ -59,6 +61,22 @@ void Actions::choose(const QString& line) {
     if (!done.ok() && complain) complain(done.error());
 }
 
+namespace {
+
+// Where all files of it end alike a name that is typed without that ending gets it before it is asked whether
+// the file of that name is to go.
+QString ask_name(QWidget* over, const FileQuestion& asks, const QDir& folder) {
+    QFileDialog dialog(over, asks.title, folder.path(), asks.endings);
+    dialog.setAcceptMode(QFileDialog::AcceptSave);
+    dialog.setFileMode(QFileDialog::AnyFile);
+    static const QRegularExpression kOneEnding("\\(\\*\\.([^ )]+)\\)$");
+    dialog.setDefaultSuffix(kOneEnding.match(asks.endings).captured(1));
+    dialog.selectFile(asks.proposed);
+    return dialog.exec() == QDialog::Accepted ? dialog.selectedFiles().value(0) : QString();
+}
+
+} // namespace
+
 QString Actions::ask_file(const FileQuestion& asks, QWidget* over) {
     const QDir of_show(show_folder ? show_folder() : QString());
     const QString last = asks.begins == Begins::where_last ? last_folders_[asks.title] : QString();
@@ -66,10 +84,9 @@ QString Actions::ask_file(const FileQuestion& asks, QWidget* over) {
                       : asks.begins == Begins::beside_show ? QFileInfo(of_show.absolutePath()).path()
                                                            : of_show.absolutePath());
     QWidget* const parent = over ? over : &window_;
-    QString file =
-        asks.proposed.isEmpty()
-            ? QFileDialog::getOpenFileName(parent, asks.title, folder.path(), asks.endings)
-            : QFileDialog::getSaveFileName(parent, asks.title, folder.filePath(asks.proposed), asks.endings);
+    QString file = asks.proposed.isEmpty()
+                       ? QFileDialog::getOpenFileName(parent, asks.title, folder.path(), asks.endings)
+                       : ask_name(parent, asks, folder);
     if (!file.isEmpty()) last_folders_[asks.title] = QFileInfo(file).absolutePath();
     return file;
 }
@@ -89,9 +106,23 @@ Result<void> Actions::choose(const Action& action, QStringList arguments) {
 
 namespace {
 
+// Of a line, by what is said of them to people: "FROM TO|off" are two. Nothing: as many as one likes.
+std::optional<qsizetype> most_arguments(const Action& action) {
+    for (const char* const many : {"...", "NUMBERS", "OPTIONS"})
+        if (action.arguments.contains(many)) return std::nullopt;
+    return action.arguments.split(' ', Qt::SkipEmptyParts).size();
+}
+
 // Whether a switch is to be turned with these words; one that names no arguments of its own takes on and off.
 Result<bool> turns(const Action& action, const QStringList& arguments) {
-    if (arguments.isEmpty() || !action.arguments.isEmpty()) return true;
+    if (arguments.isEmpty()) return true;
+    if (!action.arguments.isEmpty()) {
+        const std::optional<qsizetype> most = most_arguments(action);
+        if (!most || arguments.size() <= *most) return true;
+        return Error{"'" + arguments[*most].toStdString() + "' is a word too many: it takes " +
+                         action.arguments.toStdString(),
+                     ""};
+    }
     const std::string word = arguments[0].toStdString();
     if (!action.is_on) return Error{"takes no arguments, so what is '" + word + "'?", ""};
     if (arguments.size() > 1 || (word != "on" && word != "off"))
@@ -126,8 +157,19 @@ Result<QStringList> split_line(const QString& line) {
     QStringList words;
     QString word;
     bool quoted = false, in_word = false;
-    for (const QChar letter : line) {
-        if (letter == '"') {
+    for (qsizetype i = 0; i < line.size(); ++i) {
+        const QChar letter = line[i];
+        qsizetype before_quote = i;
+        while (before_quote < line.size() && line[before_quote] == '\\') ++before_quote;
+        const qsizetype slashes = before_quote - i;
+        if (slashes > 0 && before_quote < line.size() && line[before_quote] == '"') {
+            word.append(QString(slashes / 2, '\\'));
+            in_word = true;
+            i = before_quote - 1;
+            if (slashes % 2 == 0) continue; // the quote is one
+            word.append('"');
+            ++i;
+        } else if (letter == '"') {
             quoted = !quoted;
             in_word = true;
         } else if (letter.isSpace() && !quoted) {
@@ -145,7 +187,14 @@ Result<QStringList> split_line(const QString& line) {
 }
 
 QString quoted(const QString& words) {
-    return "\"" + QString(words).remove('"') + "\"";
+    QString line = "\"";
+    qsizetype slashes = 0; // that stand before a quote, be it the last one, would be its own
+    for (const QChar letter : words) {
+        if (letter == '"') line += QString(slashes + 1, '\\');
+        slashes = letter == '\\' ? slashes + 1 : 0;
+        line += letter;
+    }
+    return line + QString(slashes, '\\') + "\"";
 }
 
 Result<double> number_of(const QStringList& arguments, int index, const char* what, double low, double high) {

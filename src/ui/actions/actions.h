@@ -50,7 +50,7 @@ public:
     // For menus and tool bars; null where there is none of that name.
     QAction* item(const QString& name) const;
     // One line of a script: the name and its arguments, those with blanks in "quotes". Error: no such action
-    // (with a near name), or what it said itself.
+    // (with a near name), a word behind the last argument that it knows, or what it said itself.
     Result<void> run(const QString& line);
     // The same by a person's hand: what lacks its file is asked for (no answer: nothing happens), and what
     // went wrong goes to `complain`.
@@ -89,9 +89,10 @@ private:
     bool by_hand_ = false;
 };
 
-// "a "b c"" -> a, b c. Error: a quote without its end.
+// "a "b c"" -> a, b c. A quote that is meant has a \ before it; a \ is one everywhere else, and before a
+// quote that is none where there are two of them. Error: a quote without its end.
 Result<QStringList> split_line(const QString& line);
-// As one argument of a line; it loses its own quotes.
+// As one argument of a line, with whatever stands in it.
 QString quoted(const QString& words);
 
 // A finite number in a range; the error names the argument.

@@ -90,7 +90,10 @@ void add_bounce_actions(Actions& actions, AppModel& app, ShowDocument& document)
                  "",
                  "[on|off]",
                  [&app](const QStringList& words) -> Result<void> {
-                     stop_bounce(app, words.value(0, "on") == "on");
+                     const QString word = words.value(0, "on");
+                     if (word != "on" && word != "off")
+                         return Error{"'" + word.toStdString() + "' is neither on nor off", ""};
+                     stop_bounce(app, word == "on");
                      return {};
                  },
                  {}});

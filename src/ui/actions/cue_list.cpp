@@ -7,6 +7,8 @@
 #include "ui/language/language.h"
 
 #include <algorithm>
+#include <cmath>
+#include <utility>
 
 namespace ghost::ui {
 namespace {
@@ -20,6 +22,18 @@ Result<std::optional<float>> seconds_of(const QString& words, double most_s) {
     return std::optional(static_cast<float>(seconds));
 }
 
+std::vector<std::string> names_of(const std::vector<scene::Cue>& cues) {
+    std::vector<std::string> names;
+    for (const scene::Cue& cue : cues) names.push_back(cue.name);
+    return names;
+}
+
+std::optional<std::size_t> place_of(const std::vector<std::string>& names, const std::string& name) {
+    const auto found = std::find(names.begin(), names.end(), name);
+    return found == names.end() ? std::nullopt
+                                : std::optional(static_cast<std::size_t>(found - names.begin()));
+}
+
 } // namespace
 
 CueList::CueList(AppModel& app, ShowDocument& document, Looks& looks)
@@ -28,14 +42,7 @@ CueList::CueList(AppModel& app, ShowDocument& document, Looks& looks)
     connect(&follow_, &QTimer::timeout, this, [this] {
         if (const Result<void> done = go(); !done.ok() && complain) complain(done.error());
     });
-    connect(&app_, &AppModel::opened_show, this, [this] {
-        if (!app_.opened().is_edit || (current_ && *current_ >= all().size())) {
-            current_.reset();
-            follow_.stop();
-            app_.publish_cue("");
-        }
-        Q_EMIT changed();
-    });
+    connect(&app_, &AppModel::opened_show, this, &CueList::take_cues);
     connect(&app_, &AppModel::cue_called, this, [this](const QString& name) {
         const auto cue = std::ranges::find(all(), name.toStdString(), &scene::Cue::name);
         if (cue != all().end()) be_in(static_cast<std::size_t>(cue - all().begin()), After::follows);
@@ -46,6 +53,43 @@ CueList::CueList(AppModel& app, ShowDocument& document, Looks& looks)
 const std::vector<scene::Cue>& CueList::all() const {
     static const std::vector<scene::Cue> kNone;
     return app_.show() ? app_.show()->cues : kNone;
+}
+
+void CueList::take_cues() {
+    if (!app_.opened().is_edit && !app_.opened().again) {
+        names_ = names_of(all());
+        called_.clear();
+        current_.reset();
+        follow_.stop();
+        follows_recording_ = false;
+        seen_ = {};
+        app_.publish_cue("");
+    } else {
+        find_called();
+        // Who listens for remote controls may have opened it as another show.
+        if (!app_.opened().is_edit) app_.publish_cue(current_ ? names_[*current_] : "");
+    }
+    Q_EMIT changed();
+}
+
+// After an edit: whoever looks on knows it by its name, and what is called next is what stood behind it.
+void CueList::find_called() {
+    const std::vector<std::string> before = std::exchange(names_, names_of(all()));
+    if (called_.empty()) return;
+    const std::string known = current_ ? before[*current_] : "";
+    const std::optional<std::size_t> was = place_of(before, called_);
+    const std::optional<std::size_t> place_before = current_;
+    current_ = place_of(names_, called_);
+    if (!current_ && was && before.size() == names_.size() && !place_of(before, names_[*was])) {
+        current_ = was;
+        called_ = names_[*was];
+    }
+    const std::size_t behind = was ? *was : place_before ? *place_before + 1 : 0;
+    for (std::size_t i = behind; !current_ && i > 0; --i) current_ = place_of(names_, before[i - 1]);
+    const bool is_there = current_ && names_[*current_] == called_;
+    if (!is_there || *current_ + 1 == names_.size()) follow_.stop();
+    const std::string now = current_ ? names_[*current_] : "";
+    if (now != known) app_.publish_cue(now);
 }
 
 double CueList::follows_in_s() const {
@@ -72,14 +116,17 @@ Result<void> CueList::call(std::size_t index) {
 Result<void> CueList::call(std::size_t index, Place place, After after) {
     if (index >= all().size()) return Error{"there is no cue number " + std::to_string(index + 1), ""};
     const scene::Cue cue = all()[index];
-    if (!cue.look.empty())
-        TRY_VOID(looks_.recall(cue.look, cue.fade_s ? static_cast<double>(*cue.fade_s) : -1));
+    // What is there of it is done: a cue that lacks its look must not hold up those behind it.
+    Result<void> done;
+    if (!cue.look.empty()) done = looks_.recall(cue.look, cue.fade_s ? static_cast<double>(*cue.fade_s) : -1);
     if (!cue.camera.empty()) {
-        TRY(const std::size_t camera, app_.show()->find_camera(cue.camera));
-        if (cue.flight_s > 0)
-            app_.travel_to_stored(app_.show()->cameras[camera], static_cast<int>(1000 * cue.flight_s));
+        const Result<std::size_t> camera = app_.show()->find_camera(cue.camera);
+        if (!camera.ok())
+            done = camera.error();
+        else if (cue.flight_s > 0)
+            app_.travel_to_stored(app_.show()->cameras[*camera], static_cast<int>(1000 * cue.flight_s));
         else
-            app_.cut_to(app_.show()->cameras[camera]);
+            app_.cut_to(app_.show()->cameras[*camera]);
     }
     if (cue.at_s && place == Place::goes_there)
         app_.change_request([&](ViewRequest& request) {
@@ -88,11 +135,12 @@ Result<void> CueList::call(std::size_t index, Place place, After after) {
         });
     be_in(index, after);
     app_.publish_cue(cue.name);
-    return {};
+    return done;
 }
 
 void CueList::be_in(std::size_t index, After after) {
     current_ = index;
+    called_ = all()[index].name;
     follow_.stop();
     const std::optional<float>& follow_s = all()[index].follow_s;
     if (after == After::follows && follow_s && index + 1 < all().size())
@@ -101,28 +149,63 @@ void CueList::be_in(std::size_t index, After after) {
 }
 
 void CueList::set_follows_recording(bool follows) {
+    if (follows_recording_ != follows) seen_ = {app_.rig().at_s, app_.rig().seeks, true};
     follows_recording_ = follows;
-    seen_s_ = app_.rig().at_s;
     Q_EMIT changed();
 }
 
+// Who jumps to a second, or comes round to the first one, has what stands there before him; it comes when the
+// recording plays on.
 void CueList::look_at_recording() {
-    const double before_s = std::exchange(seen_s_, app_.rig().at_s);
-    if (!follows_recording_ || app_.rig().from_desk || seen_s_ <= before_s ||
-        seen_s_ - before_s > kPassesWithin_s)
+    const RigNow& rig = app_.rig();
+    const Transport& transport = app_.request().transport;
+    const bool loops = transport.loop_to_s > transport.loop_from_s;
+    Seen from = seen_;
+    if (rig.seeks != from.seeks) {
+        const double asked_s = app_.has_jumped() && std::isfinite(transport.at_s) ? transport.at_s : rig.at_s;
+        const double at_s = std::max(asked_s, 0.0);
+        from = {rig.recording_s > 0 ? std::fmod(at_s, rig.recording_s) : at_s, rig.seeks, true};
+    } else if (rig.at_s < from.at_s && (loops || from.at_s - rig.at_s > kPassesWithin_s)) { // no jitter
+        from = {loops ? transport.loop_from_s : 0.0, rig.seeks, true};
+    }
+    seen_ = {rig.at_s, rig.seeks, from.comes && rig.at_s == from.at_s};
+    if (!follows_recording_ || rig.from_desk || rig.at_s <= from.at_s ||
+        rig.at_s - from.at_s > kPassesWithin_s)
         return;
+    std::vector<std::size_t> come;
     for (std::size_t i = 0; i < all().size(); ++i) {
         const std::optional<double>& at_s = all()[i].at_s;
-        if (!at_s || *at_s <= before_s || *at_s > seen_s_) continue;
+        if (!at_s || *at_s > rig.at_s || *at_s < from.at_s) continue;
+        // Who called a cue has jumped to its second, and is in it.
+        const bool comes = *at_s > from.at_s || (from.comes && current_ != i);
+        if (comes) come.push_back(i);
+    }
+    std::ranges::stable_sort(come, {}, [this](std::size_t i) { return *all()[i].at_s; });
+    for (const std::size_t i : come)
         if (const Result<void> done = call(i, Place::stays, After::follows); !done.ok() && complain)
             complain(done.error());
-        return;
-    }
 }
 
 Result<void> CueList::edit(const QString& what, const Result<std::string>& text) {
     TRY_VOID(text);
     return document_.edit(what, {*text, app_.look(), app_.selection()});
+}
+
+Result<void> CueList::rename_look(const std::string& look, const std::string& to) {
+    std::vector<scene::Cue> cues = all();
+    if (std::ranges::find(cues, look, &scene::Cue::look) == cues.end()) return {};
+    TRY_VOID(document_.check_editable());
+    std::string text = document_.text();
+    for (std::size_t i = 0; i < cues.size(); ++i) {
+        if (cues[i].look != look) continue;
+        scene::Cue renamed = cues[i];
+        renamed.look = to;
+        TRY(text, scene::edit_cue(text, cues, i, renamed));
+        cues[i] = std::move(renamed);
+    }
+    return edit(translated("Undo", "Look '%1' renamed '%2'")
+                    .arg(QString::fromStdString(look), QString::fromStdString(to)),
+                text);
 }
 
 Result<void> CueList::add(const QString& name, const QString& look) {

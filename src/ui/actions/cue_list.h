@@ -11,7 +11,11 @@
 #include <QObject>
 #include <QTimer>
 
+#include <cstdint>
+#include <functional>
 #include <optional>
+#include <string>
+#include <vector>
 
 namespace ghost::ui {
 
@@ -21,7 +25,8 @@ public:
     CueList(AppModel& app, ShowDocument& document, Looks& looks);
 
     const std::vector<scene::Cue>& all() const;
-    std::optional<std::size_t> current() const { return current_; } // that was called last
+    // That was called last; where it was removed since, the one before it.
+    std::optional<std::size_t> current() const { return current_; }
     double follows_in_s() const; // until the next one goes by itself; below 0: it does not
 
     // The next one; what follows it goes by itself.
@@ -38,6 +43,8 @@ public:
     Result<void> set(std::size_t index, const QString& what, const QString& words);
     Result<void> move(std::size_t index, int by); // -1 or 1
     Result<void> remove(std::size_t index);
+    // In all cues that recall it, one step. Nothing happens where none does.
+    Result<void> rename_look(const std::string& look, const std::string& to);
 
     std::function<void(const Error&)> complain; // of what follows by itself
 
@@ -49,6 +56,8 @@ private:
     enum class After { follows, stands };
     Result<void> call(std::size_t index, Place place, After after);
     void be_in(std::size_t index, After after);
+    void take_cues();
+    void find_called();
     void look_at_recording();
     Result<void> edit(const QString& what, const Result<std::string>& text);
 
@@ -56,9 +65,15 @@ private:
     ShowDocument& document_;
     Looks& looks_;
     std::optional<std::size_t> current_;
+    std::string called_;             // name of the cue that was called last, which an edit may have removed
+    std::vector<std::string> names_; // of all, as they were seen last
     QTimer follow_;
     bool follows_recording_ = false;
-    double seen_s_ = 0; // of the recording
+    struct Seen {
+        double at_s = 0; // of the recording
+        std::uint64_t seeks = 0;
+        bool comes = true; // what stands at that second has not come by yet
+    } seen_;
 };
 
 // "cue-go", "cue-back", "cue NAME|PLACE", "cue-add NAME [LOOK]", "cue-set PLACE WHAT VALUE" and so on.

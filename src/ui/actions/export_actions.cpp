@@ -35,23 +35,26 @@ Result<void> bake(Exporter& exporter, QStringList words) {
     return {};
 }
 
+Result<void> take_size_or_camera(const AppModel& app, const QString& words, PictureRequest& request) {
+    TRY_VOID(check_picture_of(app, words));
+    if (const Result<QSize> size = size_of(words); size.ok()) {
+        request.width = size->width();
+        request.height = size->height();
+    } else {
+        request.camera = words;
+    }
+    return {};
+}
+
 Result<void> still(const AppModel& app, Exporter& exporter, const QStringList& words) {
     PictureRequest request;
     request.file = words.value(0);
-    if (words.size() > 1) {
-        TRY_VOID(check_still_of(app, words[1]));
-        if (const Result<QSize> size = size_of(words[1]); size.ok()) {
-            request.width = size->width();
-            request.height = size->height();
-        } else {
-            request.camera = words[1];
-        }
-    }
+    if (words.size() > 1) TRY_VOID(take_size_or_camera(app, words[1], request));
     TRY_VOID(exporter.render(request));
     return {};
 }
 
-Result<void> film(Exporter& exporter, QStringList words) {
+Result<void> film(const AppModel& app, Exporter& exporter, QStringList words) {
     PictureRequest request;
     request.farm = farm_of(words);
     request.file = words.value(0);
@@ -61,11 +64,7 @@ Result<void> film(Exporter& exporter, QStringList words) {
         TRY(const double fps, number_of(words, 3, "number of pictures a second", 1, 240));
         request.fps = static_cast<int>(fps);
     }
-    if (words.size() > 4) {
-        TRY(const QSize size, size_of(words[4]));
-        request.width = size.width();
-        request.height = size.height();
-    }
+    if (words.size() > 4) TRY_VOID(take_size_or_camera(app, words[4], request));
     TRY_VOID(exporter.render(request));
     return {};
 }
@@ -82,7 +81,7 @@ Result<QSize> size_of(const QString& words) {
     return Error{"'" + words.toStdString() + "' is no size like 1920x1080, 16 to 8192 each way", ""};
 }
 
-Result<void> check_still_of(const AppModel& app, const QString& words) {
+Result<void> check_picture_of(const AppModel& app, const QString& words) {
     const Result<QSize> size = size_of(words);
     if (size.ok()) return {};
     static const QRegularExpression kLikeASize("^\\d+x");
@@ -101,8 +100,8 @@ void add_export_actions(Actions& actions, AppModel& app, Exporter& exporter) {
         [&exporter](const QStringList& words) { return bake(exporter, words); });
     add("export-still", "FILE [WxH|CAMERA]",
         [&app, &exporter](const QStringList& words) { return still(app, exporter, words); });
-    add("export-film", "FILE FROM TO [FPS] [WxH] [slurm|local]",
-        [&exporter](const QStringList& words) { return film(exporter, words); });
+    add("export-film", "FILE FROM TO [FPS] [WxH|CAMERA] [slurm|local]",
+        [&app, &exporter](const QStringList& words) { return film(app, exporter, words); });
     add("export-sheet", "FILE [WxH]", [&exporter](const QStringList& words) -> Result<void> {
         TRY(const QSize size, size_of(words.value(1, "480x270")));
         TRY_VOID(exporter.sheet(words.value(0), size.width(), size.height()));

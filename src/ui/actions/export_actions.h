@@ -13,7 +13,7 @@ void add_export_actions(Actions& actions, AppModel& app, Exporter& exporter);
 
 // "1920x1080", 16 to 8192 each way.
 Result<QSize> size_of(const QString& words);
-// What a still can be of: such a size, of what the window sees, or a camera of the show.
-Result<void> check_still_of(const AppModel& app, const QString& words);
+// What a still or a film can be of: such a size, of what the window sees, or a camera of the show.
+Result<void> check_picture_of(const AppModel& app, const QString& words);
 
 } // namespace ghost::ui

@@ -113,7 +113,9 @@ Result<QStringList> Exporter::look_arguments(bool for_farm) {
     for (const auto& [index, programmer] : look.fixtures)
         if (index < app_.show()->fixtures.size())
             stored.fixtures[app_.show()->fixtures[index].name] = programmer;
-    if (stored.fixtures.empty() && stored.scene == SceneLook{}) return QStringList{};
+    for (const auto& [index, values] : look.movers)
+        if (index < app_.show()->movers.size()) stored.movers[app_.show()->movers[index].name] = values;
+    if (stored.fixtures.empty() && stored.movers.empty() && stored.scene == SceneLook{}) return QStringList{};
     const std::string text = scene::text_of({stored});
     const std::filesystem::path folder =
         for_farm ? app_.show()->cache_folder() / "farm" : app_.show()->cache_folder();

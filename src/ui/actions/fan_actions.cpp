@@ -112,8 +112,8 @@ std::vector<std::pair<std::string, HeadValue>> by_hand(const AppModel& app, std:
     const auto found = app.look().fixtures.find(head);
     if (found == app.look().fixtures.end()) return all;
     const HeadReader reader(*app.show(), app.look(), app.rig());
-    const fixture::Programmer& programmer = found->second;
     const scene::PatchedFixture& fixture = app.show()->fixtures[head];
+    const fixture::Programmer programmer = in_channels(fixture, found->second);
     // Attributes first: a value that stands above them is to win.
     if (fixture.type) {
         const fixture::Patch patch = fixture.patch();

@@ -22,9 +22,11 @@ std::string new_recording(const AppModel& app) {
 Result<void> record(AppModel& app, const QStringList& words) {
     if (!app.show()) return Error{"no show is open", ""};
     const bool runs = !app.request().record_to.empty();
+    const bool is_switch = words.isEmpty() || words[0] == "on";
+    if (runs && words.value(0) == "on") return {};
     const bool ends = words.isEmpty() ? runs : words[0] == "off";
     if (!ends && runs) return Error{"a recording runs; 'record off' ends it", app.request().record_to};
-    const std::string file = ends ? "" : words.isEmpty() ? new_recording(app) : words[0].toStdString();
+    const std::string file = ends ? "" : is_switch ? new_recording(app) : words[0].toStdString();
     app.change_request([&](ViewRequest& request) { request.record_to = file; });
     return {};
 }
@@ -44,8 +46,8 @@ Result<void> play_file(AppModel& app, const std::string& file) {
 }
 
 void add_recorder(Actions& actions, AppModel& app) {
-    actions.add({"record", "Play", translated("Action", "Record what the desk sends"), "Ctrl+R", "[FILE|off]",
-                 [&app](const QStringList& words) { return record(app, words); },
+    actions.add({"record", "Play", translated("Action", "Record what the desk sends"), "Ctrl+R",
+                 "[on|off|FILE]", [&app](const QStringList& words) { return record(app, words); },
                  [&app] { return !app.request().record_to.empty(); }});
     actions.add({"play-recorded",
                  "Play",

@@ -228,7 +228,7 @@ void add_scene_actions(Actions& actions, AppModel& app) {
                  "FACTOR",
                  [&app](const QStringList& words) -> Result<void> {
                      TRY(const double factor, number_of(words, 0, "factor", 0, 20));
-                     change_scene(app, "smoke", ProgrammerStep::scene,
+                     change_scene(app, translated("Undo", "smoke"), ProgrammerStep::scene,
                                   [&](SceneLook& scene) { scene.smoke = static_cast<float>(factor); });
                      return {};
                  },
@@ -263,7 +263,7 @@ void add_scene_actions(Actions& actions, AppModel& app) {
                          factors[i] = static_cast<float>(factor);
                      }
                      if (factors == glm::vec3(0)) return Error{"one of the factors must be above 0", ""};
-                     change_scene(app, "attenuation", ProgrammerStep::scene,
+                     change_scene(app, translated("Undo", "attenuation"), ProgrammerStep::scene,
                                   [&](SceneLook& scene) { scene.attenuation = factors; });
                      return {};
                  },
@@ -286,7 +286,7 @@ void add_scene_actions(Actions& actions, AppModel& app) {
                  "on|off",
                  [&app](const QStringList& words) -> Result<void> {
                      TRY(const bool on, switch_of(words, 0));
-                     change_scene(app, "shadows", ProgrammerStep::step,
+                     change_scene(app, translated("Undo", "shadows"), ProgrammerStep::step,
                                   [&](SceneLook& scene) { scene.shadows = on; });
                      return {};
                  },

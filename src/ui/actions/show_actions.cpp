@@ -73,10 +73,12 @@ Result<void> make_show(AppModel& app, const QString& folder) {
     return {};
 }
 
-// What a show names lies beside it, so it can only go on beside the file that is open.
-Result<void> save_as(AppModel& app, ShowDocument& document, const QString& words) {
+// What a show names lies beside it, so it can only go on beside the file that is open. was_asked: a person
+// was, whether the file of that name is to go.
+Result<void> save_as(AppModel& app, ShowDocument& document, const QStringList& words, bool was_asked) {
     if (!app.show()) return Error{"no show is open", ""};
-    fs::path file = words.toStdString();
+    fs::path file = words[0].toStdString();
+    const bool over = words.value(1) == "over" || (was_asked && file.extension() == ".toml");
     if (file.extension() != ".toml") file += ".toml";
     if (file.is_relative()) file = app.show()->folder / file;
     std::error_code code;
@@ -85,8 +87,11 @@ Result<void> save_as(AppModel& app, ShowDocument& document, const QString& words
                          app.show()->folder.string() +
                          "; a copy of the file alone: Save a copy of the show file",
                      file.string()};
-    TRY_VOID(document.save_copy(file));
-    app.open(file.string());
+    if (!over && fs::exists(file, code) && !fs::equivalent(file, app.show()->file, code))
+        return Error{"is there already: another name, or over it (in a script: save-as FILE over)",
+                     file.string()};
+    TRY_VOID(document.save_as(file));
+    app.open_copy(file.string());
     return {};
 }
 
@@ -163,8 +168,10 @@ void add_show_actions(Actions& actions, AppModel& app, ShowDocument& document, c
                  "Show",
                  translated("Action", "Save as..."),
                  "",
-                 "FILE",
-                 [&app, &document](const QStringList& words) { return save_as(app, document, words[0]); },
+                 "FILE [over]",
+                 [&actions, &app, &document](const QStringList& words) {
+                     return save_as(app, document, words, actions.is_by_hand());
+                 },
                  {},
                  {translated("Files", "Save the show under another name beside it"),
                   translated("Files", "Show files (*.toml)"), "show-2.toml", Begins::with_show}});

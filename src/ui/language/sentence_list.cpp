@@ -779,6 +779,7 @@ constexpr const char* kSentences[] = {
     QT_TRANSLATE_NOOP("Sentence", "there is no action '%1', did you mean '%2'?"),
     QT_TRANSLATE_NOOP("Sentence", "there is no action '%1'"),
     QT_TRANSLATE_NOOP("Sentence", "takes no arguments, so what is '%1'?"),
+    QT_TRANSLATE_NOOP("Sentence", "'%1' is a word too many: it takes %2"),
     QT_TRANSLATE_NOOP("Sentence", "'%1' is neither on nor off"),
     QT_TRANSLATE_NOOP("Sentence", "it needs the name of a file"),
     QT_TRANSLATE_NOOP("Sentence", "it needs the name of a folder"),
@@ -911,6 +912,8 @@ constexpr const char* kSentences[] = {
     QT_TRANSLATE_NOOP(
         "Sentence", "camera '%1' cannot be removed: cue '%2' goes to it; give that cue another camera first"),
     QT_TRANSLATE_NOOP("Sentence", "camera '%1' cannot be removed: a tracker moves it"),
+    QT_TRANSLATE_NOOP("Sentence",
+                      "look '%1' cannot be removed: cue '%2' recalls it; give that cue another look first"),
     QT_TRANSLATE_NOOP("Sentence", "camera '%1' cannot be removed: mover '%2' carries it"),
     QT_TRANSLATE_NOOP("Sentence", "it needs a camera and its new name"),
     QT_TRANSLATE_NOOP("Sentence", "is no model, expected .glb, .gltf, .obj or .3ds"),
@@ -959,6 +962,8 @@ constexpr const char* kSentences[] = {
     QT_TRANSLATE_NOOP("Sentence", "no show is being opened"),
     QT_TRANSLATE_NOOP("Sentence", "a quarter of an hour went by without it"),
     QT_TRANSLATE_NOOP("Sentence", "is there already; a new show needs a name of its own"),
+    QT_TRANSLATE_NOOP("Sentence",
+                      "is there already: another name, or over it (in a script: save-as FILE over)"),
     QT_TRANSLATE_NOOP("Sentence", "cannot be made: %1"),
     QT_TRANSLATE_NOOP("Sentence", "what a show names lies beside it, so under another name it stays in %1; a "
                                   "copy of the file alone: Save a copy of the show file"),

@@ -82,6 +82,11 @@ Look carried(const Look& look, const Opened& before, const Opened& now) {
     return carried;
 }
 
+void leave_out_empty(Look& look) {
+    std::erase_if(look.fixtures, [](const auto& entry) { return entry.second.is_empty(); });
+    std::erase_if(look.surfaces, [](const auto& entry) { return entry.second.is_empty(); });
+}
+
 } // namespace
 
 // From one look to another.
@@ -261,22 +266,25 @@ void AppModel::take_opened(Opened opened) {
     latency_ = window_cost_ = {};
     waveform_.clear();
     flight_.stop();
-    undo_.clear();
+    const bool is_copy =
+        std::exchange(copy_, 0) == opened_.opens && opened_.opens > 0 && before.show && opened_.show;
+    if (is_copy) opened_.again = true;
+    if (!is_copy) undo_.clear();
     const bool keeps_hands =
         std::exchange(made_of_plot_, 0) == opened_.opens && opened_.opens > 0 && before.show && opened_.show;
     std::set<std::size_t> selection;
     for (const std::size_t index : selection_)
         if (const auto place = keeps_hands ? fixture_of(index, before, opened_) : std::nullopt)
             selection.insert(*place);
-    put_selection({});
-    put_selection(std::move(selection));
+    if (!is_copy) put_selection({});
+    put_selection(is_copy ? selection_ : std::move(selection));
     rig_ = opened_.show ? rig_at_home(*opened_.show) : RigNow{};
     explained_ = {};
     hovered_.reset();
     verdicts_.clear();
     camera_pictures_.clear();
     fader_.forget();
-    look_ = request_.look = keeps_hands ? carried(look_, before, opened_) : Look{};
+    look_ = request_.look = is_copy ? look_ : keeps_hands ? carried(look_, before, opened_) : Look{};
     request_.explained.reset();
     request_.stops_bounce = false;
     request_.hovered.reset();
@@ -285,11 +293,12 @@ void AppModel::take_opened(Opened opened) {
         request_.recording.clear();
         request_.input = Input::automatic; // what was chosen for a show before says nothing of this one
         request_.black_out = request_.frozen = false;
+        request_.master = 1;
         request_.work_light = WorkLight::automatic;
         request_.motion.reset();
     }
     Q_EMIT opened_show(); // the view says how large it is, and from where it looks
-    if (keeps_hands) {
+    if (keeps_hands || is_copy) {
         show_look();
         change_request([&](ViewRequest& request) { request.explained = current(); });
     }
@@ -315,6 +324,18 @@ void AppModel::open(const std::string& show) {
 void AppModel::open_made_of_plot(const std::string& show) {
     open(show);
     made_of_plot_ = request_.opens;
+}
+
+void AppModel::open_copy(const std::string& show) {
+    const double now_s = moment_s();
+    const std::uint64_t before = request_.opens;
+    open(show);
+    if (request_.opens == before) return;
+    copy_ = request_.opens;
+    change_request([&](ViewRequest& request) {
+        ++request.transport.seeks;
+        request.transport.at_s = now_s;
+    });
 }
 
 void AppModel::set_camera(const scene::Camera& camera) {
@@ -419,13 +440,19 @@ void AppModel::set_exposure(float ev100, bool automatic) {
 }
 
 void AppModel::set_look(Look look, const QString& text, int kind) {
-    std::erase_if(look.fixtures, [](const auto& entry) { return entry.second.is_empty(); });
-    std::erase_if(look.surfaces, [](const auto& entry) { return entry.second.is_empty(); });
+    leave_out_empty(look);
     if (look == look_) return;
     undo_.push(new LookStep(*this, look_, std::move(look), text, kind));
 }
 
 void AppModel::fade_to(Look look, const QString& text, double seconds) {
+    leave_out_empty(look);
+    if (look == look_) {
+        if (!fades()) return;
+        fader_.hurry(seconds);
+        show_look();
+        return;
+    }
     fader_.set_next(seconds);
     set_look(std::move(look), text);
     fader_.set_next(0);

@@ -76,6 +76,8 @@ public:
     void open(const std::string& show);
     // One that was made of the plot that is open as it is: what hands hold and what is selected stay.
     void open_made_of_plot(const std::string& show);
+    // A copy of the one that is open: camera, input and undo list stay, too, and the recording goes on.
+    void open_copy(const std::string& show);
     bool is_opening() const { return answered_opens_ < request_.opens; }
     // Why the one that was asked for last is not open; the one before may still be.
     const std::optional<Error>& open_error() const { return open_error_; }
@@ -117,7 +119,8 @@ public:
     // text: what was done, for the undo list. Changes of one kind that follow each other closely, as those of
     // a slider, are one step; kind 0: always a step of its own.
     void set_look(Look look, const QString& text, int kind = 0);
-    // The same as one step, in so many seconds; what hands change meanwhile is there at once.
+    // The same as one step, in so many seconds; what hands change meanwhile is there at once. Where it is on
+    // its way there, it arrives then, if that is sooner.
     void fade_to(Look look, const QString& text, double seconds);
     bool fades() const { return fader_.is_going(); }
     QUndoStack& undo_stack() { return undo_; }
@@ -225,6 +228,7 @@ private:
 
     ViewRequest request_;
     std::uint64_t made_of_plot_ = 0;   // number of the last such request
+    std::uint64_t copy_ = 0;           // likewise, of open_copy
     std::uint64_t answered_opens_ = 0; // the newest that is open, or cannot be
     std::optional<Error> open_error_;
     std::uint64_t settled_ = 0;

@@ -373,7 +373,9 @@ std::vector<std::optional<ParameterValue>> values_of(const scene::PatchedFixture
     if (!fixture.type) return values;
     const fixture::Patch patch = fixture.patch();
     const std::vector<Channel>& channels = patch.mode_of().channels;
-    const std::vector<fixture::ChannelReading> readings = fixture::read_channels(patch, levels);
+    const std::vector<fixture::ChannelReading> readings =
+        programmer.levels.empty() ? fixture::read_channels(patch, levels)
+                                  : fixture::read_levels(patch, programmer.levels);
     const int gobo_wheel = programmer.gobo ? gobo_wheel_of(fixture) : -1;
     for (std::size_t i = 0; i < parameters.size(); ++i) {
         const auto found = std::find_if(channels.begin(), channels.end(), [&](const Channel& one) {

@@ -146,9 +146,12 @@ void set_parameter(const scene::PatchedFixture& fixture, const std::string& attr
 }
 
 void hold(const scene::PatchedFixture& fixture, const fixture::Levels& levels, Programmer& programmer) {
-    if (!fixture.type || !programmer.levels.empty()) return;
+    if (!fixture.type) return;
     const fixture::Patch patch = fixture.patch();
-    const std::vector<fixture::ChannelReading> readings = fixture::read_channels(patch, levels);
+    const std::vector<fixture::ChannelReading> readings =
+        programmer.levels.empty() ? fixture::read_channels(patch, levels)
+                                  : fixture::read_levels(patch, programmer.levels);
+    programmer.levels.clear();
     const std::vector<Channel>& channels = patch.mode_of().channels;
     for (std::size_t i = 0; i < channels.size(); ++i) {
         const Channel& channel = channels[i];
@@ -162,6 +165,11 @@ void hold(const scene::PatchedFixture& fixture, const fixture::Levels& levels, P
                                         static_cast<float>(static_cast<double>(readings[i].raw) /
                                                            std::max(static_cast<double>(channel.max), 1.0)));
     }
+}
+
+Programmer in_channels(const scene::PatchedFixture& fixture, Programmer programmer) {
+    if (!programmer.levels.empty()) hold(fixture, {}, programmer);
+    return programmer;
 }
 
 bool holds(const scene::PatchedFixture& fixture, Role role, const Programmer& programmer) {

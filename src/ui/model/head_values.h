@@ -44,9 +44,12 @@ void set_value(const scene::PatchedFixture& fixture, const std::string& word, co
 void set_parameter(const scene::PatchedFixture& fixture, const std::string& attribute,
                    std::optional<float> share, fixture::Programmer& programmer);
 
-// What comes from the desk for each channel becomes the hand's; what a hand has stays.
+// What comes from the desk for each channel, or what levels by hand have there, becomes the hand's as single
+// channels; what a hand has stays.
 void hold(const scene::PatchedFixture& fixture, const fixture::Levels& levels,
           fixture::Programmer& programmer);
+// Its levels by hand, where it has any, as single channels.
+fixture::Programmer in_channels(const scene::PatchedFixture& fixture, fixture::Programmer programmer);
 // Whether hands have channels of that role, and giving these back.
 bool holds(const scene::PatchedFixture& fixture, fixture::Role role, const fixture::Programmer& programmer);
 void give_back(const scene::PatchedFixture& fixture, fixture::Role role, fixture::Programmer& programmer);

@@ -39,6 +39,14 @@ void LookFader::change(const Look& before, const Look& after) {
     }
 }
 
+void LookFader::hurry(double seconds) {
+    if (!is_going() || seconds >= length_s_ - static_cast<double>(clock_.elapsed()) * 1e-3) return;
+    from_ = shown_;
+    length_s_ = seconds;
+    clock_.start();
+    if (seconds <= 0) timer_.stop();
+}
+
 const Look& LookFader::on_the_way(const Look& meant, const scene::Show* show, const RigNow& now) {
     const double share = is_going() ? static_cast<double>(clock_.elapsed()) * 1e-3 / length_s_ : 1.0;
     if (share >= 1) timer_.stop();

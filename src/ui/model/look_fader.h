@@ -21,6 +21,8 @@ public:
     // What was meant before becomes what is meant after: the fade begins, or what hands changed is at its
     // end.
     void change(const Look& before, const Look& after);
+    // What is meant already is to be there in so many seconds from now, where that is sooner.
+    void hurry(double seconds);
     // What is meant counts fixtures otherwise now, or belongs to another show.
     void forget();
     bool is_going() const { return timer_.isActive(); }

@@ -2,6 +2,7 @@
 #include "ui/model/looks.h"
 
 #include "disk/files.h"
+#include "show/cues.h"
 #include "show/show.h"
 #include "ui/language/language.h"
 #include "ui/model/head_values.h"
@@ -143,7 +144,7 @@ Result<void> Looks::write(const List& looks) {
     return {};
 }
 
-Result<void> Looks::edit(const QString& what, List after) {
+Result<void> Looks::edit(const QString& what, List after, const std::function<void()>& with_it) {
     if (!app_.show()) return Error{"no show is open", ""};
     const bool changed_outside = take_changes();
     if (!damage_.empty())
@@ -155,7 +156,12 @@ Result<void> Looks::edit(const QString& what, List after) {
         return Error{"there are " + std::to_string(scene::kMostLooks) + " looks; remove one first", ""};
     List before = looks_;
     TRY_VOID(write(after));
-    app_.undo_stack().push(new LooksStep(*this, std::move(before), std::move(after), what));
+    auto* const step = new LooksStep(*this, std::move(before), std::move(after), what);
+    if (with_it) app_.undo_stack().beginMacro(what);
+    app_.undo_stack().push(step);
+    if (!with_it) return {};
+    with_it();
+    app_.undo_stack().endMacro();
     return {};
 }
 
@@ -256,7 +262,8 @@ Result<void> Looks::rename(const std::string& name, const std::string& to) {
     after[index].name = to;
     TRY_VOID(edit(translated("Undo", "Look '%1' renamed '%2'")
                       .arg(QString::fromStdString(name), QString::fromStdString(to)),
-                  std::move(after)));
+                  std::move(after),
+                  [&] { Q_EMIT renamed(QString::fromStdString(name), QString::fromStdString(to)); }));
     if (last_ == name) last_ = to;
     Q_EMIT changed();
     return {};
@@ -271,6 +278,11 @@ Result<void> Looks::set_fade(const std::string& name, double seconds) {
 
 Result<void> Looks::remove(const std::string& name) {
     TRY(const std::size_t index, scene::find_look(looks_, name));
+    for (const scene::Cue& cue : app_.show()->cues)
+        if (cue.look == name)
+            return Error{"look '" + name + "' cannot be removed: cue '" + cue.name +
+                             "' recalls it; give that cue another look first",
+                         ""};
     List after = looks_;
     after.erase(after.begin() + static_cast<std::ptrdiff_t>(index));
     return edit(translated("Undo", "Look '%1' removed").arg(QString::fromStdString(name)), std::move(after));

@@ -12,6 +12,7 @@
 #include <QObject>
 
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <string>
 #include <vector>
@@ -37,8 +38,10 @@ public:
     Result<void> recall(const std::string& name, double seconds = -1);
     // The next one in the list, or the one before (-1); round at the ends.
     Result<void> step(int by);
+    // One step together with what `renamed` brings about.
     Result<void> rename(const std::string& name, const std::string& to);
     Result<void> set_fade(const std::string& name, double seconds);
+    // Error: a cue recalls it, too.
     Result<void> remove(const std::string& name);
     // Fixtures that got other names, from the old one to the new one: their values stay theirs, in all looks.
     // A file with a mistake stays as it is, which is said.
@@ -46,6 +49,7 @@ public:
 
 Q_SIGNALS:
     void changed();
+    void renamed(const QString& name, const QString& to); // cues name it
 
 private:
     friend class LooksStep;
@@ -57,7 +61,8 @@ private:
     bool take_changes();
     Result<void> put_in(scene::StoredLook look);
     void add_movers(scene::StoredLook& look) const; // those under the hand
-    Result<void> edit(const QString& what, List after);
+    // with_it: what is done in the same step.
+    Result<void> edit(const QString& what, List after, const std::function<void()>& with_it = {});
     Result<void> write(const List& looks);
     // Where something is another than it was when it was published last.
     void publish();

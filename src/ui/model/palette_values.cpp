@@ -32,7 +32,8 @@ std::optional<PaletteKind> kind_of(const fixture::Channel& channel) {
 } // namespace
 
 scene::PaletteValues palette_values_of(PaletteKind kind, const scene::PatchedFixture& fixture,
-                                       const fixture::Programmer& programmer) {
+                                       const fixture::Programmer& by_hand) {
+    const fixture::Programmer programmer = in_channels(fixture, by_hand);
     scene::PaletteValues values;
     if (kind == PaletteKind::position) {
         values.pan_deg = programmer.pan_deg;

@@ -15,7 +15,7 @@ namespace ghost::ui {
 
 // Of that kind; empty: hands set nothing of it.
 scene::PaletteValues palette_values_of(scene::PaletteKind kind, const scene::PatchedFixture& fixture,
-                                       const fixture::Programmer& programmer);
+                                       const fixture::Programmer& by_hand);
 // What the fixture has of them. False: it has nothing of them.
 bool give_values(const scene::PaletteValues& values, const scene::PatchedFixture& fixture,
                  fixture::Programmer& programmer);

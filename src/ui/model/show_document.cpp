@@ -393,6 +393,13 @@ Result<void> ShowDocument::save_copy(const std::filesystem::path& file) {
     return {};
 }
 
+Result<void> ShowDocument::save_as(const std::filesystem::path& file) {
+    TRY_VOID(save_copy(file));
+    draft_timer_.stop();
+    if (!is_read_only()) drafts_.remove();
+    return {};
+}
+
 Result<void> ShowDocument::reload() {
     TRY_VOID(check_editable());
     TRY(std::string now, read_text_file(file_, scene::kMaxShowBytes));

@@ -65,6 +65,8 @@ public:
     Result<void> save(bool over);
     // As it is now, elsewhere; the show stays where it is, with what is not saved. For a disk that is full.
     Result<void> save_copy(const std::filesystem::path& file);
+    // The same before that copy is opened: what is not saved here is saved there, and no draft any more.
+    Result<void> save_as(const std::filesystem::path& file);
     // What the file says, as a step that can be undone. Error: it cannot be read; all stays as it was.
     Result<void> reload();
     // Writes what is not saved where the next window finds it. Error: nowhere, nor was it saved as a copy.

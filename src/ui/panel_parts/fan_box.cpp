@@ -6,6 +6,7 @@
 #include "ui/widgets/following.h"
 
 #include <QGridLayout>
+#include <QLineEdit>
 #include <QVBoxLayout>
 
 namespace ghost::ui {
@@ -79,6 +80,10 @@ FanBox::FanBox(AppModel& app, Actions& actions, QWidget* parent)
             begin();
         });
     connect(&app_, &AppModel::selection_changed, this, &FanBox::begin);
+    // Undone, or set elsewhere: one step of a number would bring back the other one as it was.
+    connect(&app_, &AppModel::look_changed, this, [this] {
+        if (unfold_->isChecked() && !fans_ && !is_being_typed()) begin();
+    });
     set_parameters({});
 }
 
@@ -123,6 +128,14 @@ void FanBox::set_parameters(const std::vector<HeadParameter>& parameters) {
 
 QString FanBox::word() const {
     return what_->currentData().toString();
+}
+
+bool FanBox::is_being_typed() const {
+    for (const QDoubleSpinBox* const one : {a_, b_})
+        if (const auto* const text = one->findChild<QLineEdit*>();
+            one->hasFocus() && text && text->isModified())
+            return true;
+    return false;
 }
 
 double FanBox::per_unit() const {
@@ -175,8 +188,11 @@ void FanBox::fan(bool between_them) {
                                                .arg(a_->value() * per_unit())
                                                .arg(b_->value() * per_unit())
                                                .arg(kFans[static_cast<std::size_t>(kind_->currentIndex())]);
-    actions_.choose("fan " + word() + " " + numbers + " " +
-                    kHeadOrders[static_cast<std::size_t>(order_->currentIndex())]);
+    {
+        const Following own(fans_);
+        actions_.choose("fan " + word() + " " + numbers + " " +
+                        kHeadOrders[static_cast<std::size_t>(order_->currentIndex())]);
+    }
     if (between_them) begin();
 }
 

@@ -29,6 +29,7 @@ private:
     void fan(bool between_them);
     QString word() const;
     double per_unit() const; // of the numbers: 0.01 for percent
+    bool is_being_typed() const;
 
     AppModel& app_;
     Actions& actions_;
@@ -38,6 +39,7 @@ private:
     QDoubleSpinBox *a_, *b_;
     QPushButton *as_first_, *as_last_, *between_;
     bool follows_ = false; // it is being set, not changed
+    bool fans_ = false;    // what changes is its own
 };
 
 } // namespace ghost::ui

@@ -89,6 +89,7 @@ void Waveform::loop_to(double second) {
 }
 
 void Waveform::mousePressEvent(QMouseEvent* event) {
+    if (event->button() != Qt::LeftButton) return;
     marks_ = event->modifiers() & Qt::ShiftModifier;
     mark_from_s_ = second_at(event->position().x());
     if (!marks_) seek(mark_from_s_);
@@ -103,6 +104,7 @@ void Waveform::mouseMoveEvent(QMouseEvent* event) {
 }
 
 void Waveform::mouseReleaseEvent(QMouseEvent* event) {
+    if (event->button() != Qt::LeftButton) return;
     if (marks_) loop_to(second_at(event->position().x()));
     marks_ = false;
 }

@@ -5,7 +5,9 @@
 #include "ui/language/language.h"
 #include "ui/widgets/following.h"
 #include "ui/widgets/theme.h"
+#include "ui/widgets/typed_delegate.h"
 
+#include <QBrush>
 #include <QCheckBox>
 #include <QComboBox>
 #include <QGridLayout>
@@ -62,6 +64,7 @@ public:
         box->setCurrentText(index.data().toString());
         return box;
     }
+    void setEditorData(QWidget*, const QModelIndex&) const override {} // it has it from the beginning
 
 private:
     std::function<QStringList()> names_;
@@ -90,6 +93,7 @@ CuePanel::CuePanel(AppModel& app, CueList& cues, Looks& looks, Actions& actions,
                 "next cue goes by itself that long after this one."));
     table_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     table_->horizontalHeader()->setStretchLastSection(true);
+    table_->setItemDelegate(new TypedDelegate(table_));
     table_->setItemDelegateForColumn(look, new ChoiceDelegate(
                                                [this] {
                                                    QStringList names;
@@ -194,7 +198,7 @@ void CuePanel::fill() {
     setEnabled(app_.show() != nullptr);
     const Following following(follows_);
     const std::vector<scene::Cue>& cues = cues_.all();
-    const int row_before = table_->currentRow();
+    const int row_before = table_->currentRow(), column_before = table_->currentColumn();
     table_->setRowCount(static_cast<int>(cues.size()));
     for (std::size_t i = 0; i < cues.size(); ++i) {
         // Seen in a selected row, too, which has a colour of its own.
@@ -203,13 +207,18 @@ void CuePanel::fill() {
         if (cues_.current() == i) mark->setForeground(accent());
         table_->setVerticalHeaderItem(static_cast<int>(i), mark);
         for (int column = 0; column < kCueColumns; ++column) {
-            auto* item = new QTableWidgetItem(text_of(cues[i], column));
-            if (cues_.current() == i) item->setForeground(accent());
-            table_->setItem(static_cast<int>(i), column, item);
+            QTableWidgetItem* item = table_->item(static_cast<int>(i), column);
+            if (!item) {
+                item = new QTableWidgetItem;
+                table_->setItem(static_cast<int>(i), column, item);
+            }
+            item->setText(text_of(cues[i], column));
+            item->setData(Qt::ForegroundRole, cues_.current() == i ? QVariant(QBrush(accent())) : QVariant());
         }
     }
     if (!cues.empty())
-        table_->setCurrentCell(std::clamp(row_before, 0, static_cast<int>(cues.size()) - 1), name,
+        table_->setCurrentCell(std::clamp(row_before, 0, static_cast<int>(cues.size()) - 1),
+                               column_before < 0 ? name : column_before,
                                QItemSelectionModel::ClearAndSelect | QItemSelectionModel::Rows);
     show_next();
 }

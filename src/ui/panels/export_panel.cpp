@@ -12,6 +12,7 @@
 #include <QHBoxLayout>
 #include <QScrollArea>
 
+#include <algorithm>
 #include <set>
 
 namespace ghost::ui {
@@ -97,12 +98,9 @@ QWidget* ExportPanel::make_bake() {
     connect(button, &QPushButton::clicked, this, [this] {
         if (can_begin && !can_begin()) return;
         const QString camera =
-            bake_camera_->currentIndex() <= 0 ? QString("all") : "\"" + bake_camera_->currentText() + "\"";
-        run(QString("bake %1 %2 %3%4")
-                .arg(camera)
-                .arg(spp_->value())
-                .arg(bounces_->value())
-                .arg(bake_by_->currentData().toString()));
+            bake_camera_->currentIndex() <= 0 ? QString("all") : quoted(bake_camera_->currentText());
+        run("bake " + camera + QString(" %1 %2").arg(spp_->value()).arg(bounces_->value()) +
+            bake_by_->currentData().toString());
     });
     bake_by_ = maker_box(translated("Export", "Who bakes"), box);
     form->addRow(translated("Export", "Camera"), bake_camera_);
@@ -148,26 +146,24 @@ QWidget* ExportPanel::make_pictures() {
         if (!done.ok()) actions_.complain(done.error());
         return done.ok();
     };
-    connect(still, &QPushButton::clicked, this, [this, can_be] {
-        if (camera_->currentIndex() <= 0 && !can_be(check_still_of(app_, size_->currentText()))) return;
+    const auto of_what = [this] {
+        return quoted(camera_->currentIndex() <= 0 ? size_->currentText() : camera_->currentText());
+    };
+    connect(still, &QPushButton::clicked, this, [this, can_be, of_what] {
+        if (camera_->currentIndex() <= 0 && !can_be(check_picture_of(app_, size_->currentText()))) return;
         run_with_file("export-still",
                       {translated("Export", "Save a still"), translated("Files", "Pictures (*.png *.exr)"),
                        "still.png"},
-                      camera_->currentIndex() <= 0 ? "\"" + size_->currentText() + "\""
-                                                   : "\"" + camera_->currentText() + "\"");
+                      of_what());
     });
-    connect(film, &QPushButton::clicked, this, [this, can_be] {
+    connect(film, &QPushButton::clicked, this, [this, can_be, of_what] {
         if (const auto size = size_of(size_->currentText());
-            !can_be(size.ok() ? Result<void>() : size.error()))
+            camera_->currentIndex() <= 0 && !can_be(size.ok() ? Result<void>() : size.error()))
             return;
         run_with_file("export-film",
                       {translated("Export", "Save a film"), translated("Files", "Films (*.mp4)"), "film.mp4"},
-                      QString("%1 %2 %3 %4%5")
-                          .arg(from_->value())
-                          .arg(to_->value())
-                          .arg(fps_->value())
-                          .arg(size_->currentText())
-                          .arg(film_by_->currentData().toString()));
+                      QString("%1 %2 %3 ").arg(from_->value()).arg(to_->value()).arg(fps_->value()) +
+                          of_what() + film_by_->currentData().toString());
     });
     connect(sheet, &QPushButton::clicked, this, [this] {
         run_with_file("export-sheet",
@@ -200,21 +196,27 @@ void ExportPanel::run(const QString& line) {
 void ExportPanel::run_with_file(const QString& action, const FileQuestion& asks, const QString& arguments) {
     if (can_begin && !can_begin()) return;
     const QString file = actions_.ask_file(asks, this);
-    if (!file.isEmpty()) run(action + " \"" + file + "\" " + arguments);
+    if (!file.isEmpty()) run(action + " " + quoted(file) + " " + arguments);
 }
 
 void ExportPanel::name_cameras() {
     const auto fill = [this](QComboBox* box, const QString& first) {
         const QString before = box->currentText();
+        const int place = box->currentIndex(), count = box->count();
         box->clear();
         box->addItem(first);
         for (const scene::Camera& camera : app_.show()->cameras)
             box->addItem(QString::fromStdString(camera.name));
-        box->setCurrentText(before.isEmpty() ? first : before);
+        // One that is not there any more was renamed, where an edit left as many.
+        const int now = place > 0 ? box->findText(before) : 0;
+        const bool is_renamed = now < 0 && app_.opened().is_edit && box->count() == count;
+        box->setCurrentIndex(is_renamed ? place : std::max(now, 0));
     };
     fill(bake_camera_, translated("Export", "All cameras"));
     fill(camera_, translated("Export", "As the window sees it"));
-    if (!app_.opened().is_edit) to_->setValue(app_.opened().recording_s);
+    if (app_.opened().is_edit) return;
+    if (!app_.opened().again) from_->setValue(0);
+    to_->setValue(app_.opened().recording_s);
 }
 
 ExportPanel::Row ExportPanel::add_row(const Job& job) {

@@ -5,6 +5,7 @@
 #include "ui/language/language.h"
 #include "ui/widgets/following.h"
 #include "ui/widgets/theme.h"
+#include "ui/widgets/typed_delegate.h"
 
 #include <QGridLayout>
 #include <QVBoxLayout>
@@ -19,6 +20,7 @@ LookPanel::LookPanel(AppModel& app, Looks& looks, Actions& actions, QWidget* par
     list_->setAccessibleName(translated("Looks", "Looks"));
     list_->setEditTriggers(QAbstractItemView::EditKeyPressed);
     list_->setAlternatingRowColors(true);
+    list_->setItemDelegate(new TypedDelegate(list_));
     list_->setToolTip(translated("Looks", "Double click or Enter: recall. F2: another name."));
     layout->addWidget(list_, 1);
     connect(list_, &QListWidget::itemDoubleClicked, this, [this] { run("look-recall " + quoted(chosen())); });
@@ -167,15 +169,25 @@ void LookPanel::fill() {
 }
 
 void LookPanel::list_names() {
+    const std::vector<scene::StoredLook>& looks = looks_.all();
     const QString before = chosen();
     const int row = list_->currentRow();
-    list_->clear();
-    for (const scene::StoredLook& look : looks_.all()) {
-        auto* item = new QListWidgetItem(QString::fromStdString(look.name), list_);
-        item->setData(Qt::UserRole, item->text());
-        item->setFlags(item->flags() | Qt::ItemIsEditable);
+    bool are_same = static_cast<std::size_t>(list_->count()) == looks.size();
+    for (int i = 0; are_same && i < list_->count(); ++i) {
+        const QString name = QString::fromStdString(looks[static_cast<std::size_t>(i)].name);
+        const QListWidgetItem* const item = list_->item(i);
+        are_same = item->text() == name && item->data(Qt::UserRole).toString() == name;
+    }
+    if (!are_same) list_->clear(); // a recall leaves a name that is being typed alone
+    for (std::size_t i = 0; i < looks.size(); ++i) {
+        const scene::StoredLook& look = looks[i];
+        auto* const item = are_same ? list_->item(static_cast<int>(i))
+                                    : new QListWidgetItem(QString::fromStdString(look.name), list_);
         item->setToolTip(translated("Looks", "%n fixture(s), %1 s", nullptr, look.fixtures.size())
                              .arg(static_cast<double>(look.fade_s), 0, 'f', 1));
+        if (are_same) continue;
+        item->setData(Qt::UserRole, item->text());
+        item->setFlags(item->flags() | Qt::ItemIsEditable);
         if (item->text() == before) list_->setCurrentItem(item);
     }
     if (!list_->currentItem() && list_->count() > 0)

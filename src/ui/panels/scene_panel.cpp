@@ -89,7 +89,7 @@ void ScenePanel::add_air(QLayout* layout) {
     layout->addWidget(samples_);
     shadows_ = new QCheckBox(translated("Scene", "Shadows"), this);
     connect(shadows_, &QCheckBox::clicked, this, [this](bool on) {
-        change_scene(app_, "shadows", ProgrammerStep::step, [&](SceneLook& scene) {
+        change_scene(app_, translated("Undo", "shadows"), ProgrammerStep::step, [&](SceneLook& scene) {
             scene.shadows = on == app_.show()->shadows ? std::nullopt : std::optional(on);
         });
     });
@@ -156,7 +156,7 @@ void ScenePanel::change_attenuation(int factor, double value) {
         app_.look().scene.attenuation.value_or(glm::vec3(own.constant, own.linear, own.quadratic));
     factors[factor] = static_cast<float>(value);
     if (factors == glm::vec3(0)) factors[factor] = 0.01f; // light that never falls is none
-    change_scene(app_, "attenuation", ProgrammerStep::scene,
+    change_scene(app_, translated("Undo", "attenuation"), ProgrammerStep::scene,
                  [&](SceneLook& scene) { scene.attenuation = factors; });
 }
 

@@ -50,6 +50,21 @@ Chip of_input(const AppModel& app) {
     return {translated("Chips", "NO DESK YET"), {}};
 }
 
+// What a remote control asks for is nobody's here: no key of the window gives it back.
+void add_remote(const RemoteNow& remote, std::vector<Chip>& chips) {
+    if (remote.master < 1)
+        chips.push_back(
+            {translated("Chips", "MASTER %1 % (remote)").arg(std::lround(100 * remote.master)), accent()});
+    if (remote.haze != 1.0f)
+        chips.push_back(
+            {translated("Chips", "HAZE x %1 (remote)").arg(static_cast<double>(remote.haze), 0, 'g', 3),
+             accent()});
+    if (remote.tone)
+        chips.push_back({translated("Chips", "TONE %1 (remote)")
+                             .arg(QString::fromStdString(image::name_of(*remote.tone))),
+                         accent()});
+}
+
 } // namespace
 
 std::vector<Chip> chips_of(const AppModel& app) {
@@ -59,16 +74,20 @@ std::vector<Chip> chips_of(const AppModel& app) {
     // The show before is seen until then.
     if (app.is_opening() && !app.activity().empty())
         chips.push_back({shortened(said(app.activity()), kMostLetters), accent(), true});
+    const RemoteNow& remote = app.rig().remote;
     if (request.black_out) chips.push_back({translated("Chips", "BLACK-OUT"), bad(), true});
+    if (remote.black_out) chips.push_back({translated("Chips", "BLACK-OUT (remote)"), bad(), true});
     if (request.frozen) chips.push_back({translated("Chips", "FROZEN"), QColor(110, 190, 255), true});
     chips.push_back(of_input(app));
     if (app.rig().recorded_s >= 0)
         chips.push_back({translated("Chips", "RECORDING %1").arg(clock_of(app.rig().recorded_s)), bad()});
     if (picture.has_work_light) chips.push_back({translated("Chips", "WORK LIGHT"), QColor(255, 236, 190)});
-    chips.push_back({QString("EV %1").arg(static_cast<double>(picture.ev100), 0, 'f', 1), {}});
+    const QString ev = QString("EV %1").arg(static_cast<double>(picture.ev100), 0, 'f', 1);
+    chips.push_back(remote.ev100 ? Chip{translated("Chips", "%1 (remote)").arg(ev), accent()} : Chip{ev, {}});
     if (request.master < 1)
         chips.push_back(
             {translated("Chips", "MASTER %1 %").arg(std::lround(100 * request.master)), accent()});
+    add_remote(remote, chips);
     if (!app.look().is_empty())
         chips.push_back({translated("Chips", "by hand: %1").arg(words_of(app.look())), accent()});
     if (picture.left_dark > 0)

@@ -20,9 +20,9 @@ QLineEdit* field_of(QObject* object) {
     return qobject_cast<QLineEdit*>(object);
 }
 
-// Whose text it is, where it stands alone in a panel.
-QWidget* number_of(QLineEdit* field) {
-    auto* const number = qobject_cast<QAbstractSpinBox*>(field->parentWidget());
+// The number, where it stands alone in a panel.
+QWidget* alone(QObject* object) {
+    auto* const number = qobject_cast<QAbstractSpinBox*>(object);
     if (!number || qobject_cast<QDialog*>(number->window())) return nullptr;
     const QWidget* const around = number->parentWidget() ? number->parentWidget()->parentWidget() : nullptr;
     return qobject_cast<const QAbstractItemView*>(around) ? nullptr : number;
@@ -31,6 +31,9 @@ QWidget* number_of(QLineEdit* field) {
 } // namespace
 
 bool UndoKeys::eventFilter(QObject* object, QEvent* event) {
+    // A click on its text is the field's.
+    if (event->type() == QEvent::MouseButtonRelease)
+        if (QWidget* const number = alone(object)) Q_EMIT entered(number);
     if (event->type() != QEvent::ShortcutOverride && event->type() != QEvent::KeyPress) return false;
     const auto& key = *static_cast<const QKeyEvent*>(event);
     if (event->type() == QEvent::KeyPress) {
@@ -38,7 +41,7 @@ bool UndoKeys::eventFilter(QObject* object, QEvent* event) {
         if (key.key() == Qt::Key_Return || key.key() == Qt::Key_Enter)
             if (QLineEdit* const field = field_of(object)) {
                 field->setModified(false);
-                if (QWidget* const number = number_of(field)) Q_EMIT entered(number);
+                if (QWidget* const number = alone(field->parentWidget())) Q_EMIT entered(number);
             }
         return false;
     }

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // UndoKeys: undo and redo are the window's also where a field of one line has the focus (a number, an
 // editable list), which would take them for its own text. It keeps them only while something is typed in it
-// that was not entered. Window thread.
+// that was not entered. A number that is entered, or stepped by its arrows, gives the keys back. Window
+// thread.
 
 #include <QObject>
 
@@ -16,7 +17,9 @@ public:
     using QObject::QObject;
 
 Q_SIGNALS:
-    void entered(QWidget* field); // Return in a number, before the number has it; not in a table or a dialog
+    // Return in a number, or the mouse let go of its arrow, before the number has it; not in a table or a
+    // dialog.
+    void entered(QWidget* field);
 
 protected:
     bool eventFilter(QObject* object, QEvent* event) override; // of the application

@@ -89,7 +89,7 @@ void Menus::add_recent(QMenu& menu) {
         for (const RecentShows::One& one : recent_.all()) {
             const QString folder = QFileInfo(one.path).path();
             connect(menu.addAction(one.name + "    " + folder), &QAction::triggered, this,
-                    [this, path = one.path] { actions_.choose("open \"" + path + "\""); });
+                    [this, path = one.path] { actions_.choose("open " + quoted(path)); });
         }
         menu.menuAction()->setEnabled(!recent_.all().empty());
     };

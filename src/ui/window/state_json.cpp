@@ -74,6 +74,17 @@ QJsonObject look_json(const Look& look, const scene::Show& show) {
             {"surfaces", static_cast<int>(look.surfaces.size())}};
 }
 
+// What it does not hold is not there.
+QJsonObject remote_json(const RemoteNow& remote) {
+    QJsonObject held;
+    if (remote.master < 1) held["master"] = static_cast<double>(remote.master);
+    if (remote.black_out) held["black_out"] = true;
+    if (remote.haze != 1.0f) held["haze"] = static_cast<double>(remote.haze);
+    put(held, "ev100", remote.ev100);
+    if (remote.tone) held["tone"] = QString::fromStdString(image::name_of(*remote.tone));
+    return held;
+}
+
 } // namespace
 
 QJsonObject latency_json(const dmx::Latency& latency) {
@@ -197,6 +208,7 @@ QJsonObject state_json(const AppModel& app, const View& view) {
             {"black_out", app.request().black_out},
             {"tone", QString::fromStdString(image::name_of(app.request().tone))},
             {"master", static_cast<double>(app.request().master)},
+            {"remote", remote_json(app.rig().remote)},
             {"playing", app.request().transport.playing},
             {"at_s", app.rig().at_s},
             {"recording_s", app.rig().recording_s},

@@ -66,7 +66,7 @@ Welcome::Welcome(Actions& actions, AppModel& app, RecentShows& recent, bool has_
     row->addWidget(middle, 8);
     row->addStretch(1);
     connect(recent_list_, &QListWidget::itemActivated, this, [this](const QListWidgetItem* item) {
-        actions_.choose("open \"" + item->data(Qt::UserRole).toString() + "\"");
+        actions_.choose("open " + quoted(item->data(Qt::UserRole).toString()));
     });
     connect(recent_list_, &QListWidget::itemClicked, recent_list_, &QListWidget::itemActivated);
     connect(&recent_, &RecentShows::changed, this, &Welcome::fill);

@@ -188,6 +188,10 @@ Window::Window(Link& link, const WindowOptions& options)
     fixtures_->complain = edit_refused;
     connect(&document_, &ShowDocument::changed, this, &Window::show_title);
     connect(&document_, &ShowDocument::fixtures_renamed, &looks_, &Looks::rename_fixtures);
+    connect(&looks_, &Looks::renamed, this, [this, edit_refused](const QString& name, const QString& to) {
+        if (const auto done = cues_.rename_look(name.toStdString(), to.toStdString()); !done.ok())
+            edit_refused(done.error());
+    });
     connect(&app_, &AppModel::opened_show, this, &Window::name_cameras);
     connect(&app_, &AppModel::opened_show, this, [this] {
         show_title();

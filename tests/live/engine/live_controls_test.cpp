@@ -66,7 +66,7 @@ TEST(LiveControls, without_a_remote_control_or_trackers_nothing_is_heard) {
     const auto session = open_demo();
     session->haze_density = 2;
     LiveControls controls;
-    controls.begin(*session);
+    controls.begin(*session, LiveControls::Of::another_show);
     EXPECT_FALSE(is_news(controls.hear_remote(*session, 0)));
     EXPECT_EQ(controls.hear_trackers(*session), nullptr);
     EXPECT_EQ(session->haze_density, 2.0f) << "that of whoever set it";
@@ -78,7 +78,7 @@ TEST(LiveControls, without_a_remote_control_or_trackers_nothing_is_heard) {
 TEST(LiveControls, a_browser_says_what_a_remote_control_says) {
     const auto session = open_demo();
     LiveControls controls;
-    controls.begin(*session);
+    controls.begin(*session, LiveControls::Of::another_show);
     EXPECT_FALSE(controls.command({1, "nothing", {}}).ok());
     EXPECT_FALSE(controls.command({2, "/ghostlight/haze", {2.0}}).ok()) << "it is said without that";
     EXPECT_TRUE(controls.command({3, "haze", {2.0}}).ok());
@@ -88,6 +88,25 @@ TEST(LiveControls, a_browser_says_what_a_remote_control_says) {
     EXPECT_TRUE(news.haze && news.look && news.camera);
     EXPECT_EQ(session->haze_density, 2.0f);
     EXPECT_EQ(controls.remote().look.name, "Verse");
+    EXPECT_FALSE(is_news(controls.hear_remote(*session, 1)));
+}
+
+// A stage that stays black in the next show, too, and nobody sees why.
+TEST(LiveControls, another_show_begins_without_what_a_remote_control_turned_down) {
+    const auto session = open_demo();
+    LiveControls controls;
+    controls.begin(*session, LiveControls::Of::another_show);
+    EXPECT_TRUE(controls.command({1, "blackout", {}}).ok());
+    EXPECT_TRUE(controls.command({2, "haze", {2.0}}).ok());
+    EXPECT_TRUE(controls.command({3, "exposure", {12.0}}).ok());
+    (void)controls.hear_remote(*session, 0);
+    controls.begin(*session, LiveControls::Of::the_same_show);
+    EXPECT_EQ(controls.remote().light(), 0) << "an edit, or another device";
+    EXPECT_EQ(session->haze_density, 2.0f);
+    controls.begin(*session, LiveControls::Of::another_show);
+    EXPECT_EQ(controls.remote().light(), 1);
+    EXPECT_FALSE(controls.remote().ev100);
+    EXPECT_EQ(session->haze_density, 1.0f);
     EXPECT_FALSE(is_news(controls.hear_remote(*session, 1)));
 }
 

@@ -72,7 +72,7 @@ TEST(RigNews, heads_that_are_left_dark_are_dark_in_lists_and_verdicts) {
         now_s += 10;
         session->rig->leave_unasked_dark(leaves);
         session->rig->step(full, 1);
-        news.publish(*session, input, session->lit(), {}, now_s);
+        news.publish(*session, input, {}, session->lit(), {}, now_s);
         news.explain(
             {.fixture = {}, .hovered = {}, .all = true}, *session, input, {},
             [&]() -> const bake::Tracer& { return rays; }, now_s);

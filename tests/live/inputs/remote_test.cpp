@@ -128,6 +128,51 @@ TEST(Remote, a_cue_recalls_its_look_and_goes_on_from_wherever_the_show_is) {
     EXPECT_EQ(remote.request().cue, "One");
 }
 
+TEST(Remote, an_edit_of_the_show_leaves_it_in_its_cue) {
+    const scene::Cue one{.name = "One", .at_s = 1}, two{.name = "Two", .at_s = 2},
+        three{.name = "Three", .at_s = 3}, four{.name = "Four", .at_s = 4};
+    Remote remote({}, {one, two, three, four});
+    const auto next = [&] {
+        EXPECT_TRUE(remote.apply(message("/ghostlight/cue/go")).ok());
+        return remote.request().cue;
+    };
+    EXPECT_TRUE(remote.apply(message("/ghostlight/cue", {std::string("Two")})).ok());
+    remote.know({"house"}, {one, two, three, four}); // an address was changed
+    EXPECT_EQ(next(), "Three");
+    remote.know({}, {three, one, two, four}); // it was moved
+    EXPECT_EQ(next(), "One");
+    remote.know({}, {three, two, four}); // it was removed
+    EXPECT_EQ(next(), "Two");
+    // The window knows a name of its edit before the show has it.
+    const scene::Cue renamed{.name = "Second", .at_s = 2};
+    remote.be_in("Second");
+    EXPECT_EQ(next(), "Four");
+    remote.be_in("Second");
+    remote.know({}, {three, renamed, four});
+    EXPECT_EQ(next(), "Four");
+    EXPECT_TRUE(remote.apply(message("/ghostlight/cue/back")).ok());
+    EXPECT_EQ(remote.request().cue, "Second");
+    remote.begin({}, {one, two}); // another show
+    EXPECT_EQ(next(), "One");
+}
+
+TEST(Remote, another_show_lets_go_of_light_air_exposure_and_tone) {
+    Remote remote({"house"});
+    for (const auto& [address, value] : {std::pair<const char*, dmx::OscArgument>{"/ghostlight/master", 0.25},
+                                         {"/ghostlight/blackout", 1.0},
+                                         {"/ghostlight/haze", 3.0},
+                                         {"/ghostlight/exposure", 12.0}})
+        EXPECT_TRUE(remote.apply(message(address, {value})).ok());
+    EXPECT_TRUE(remote.apply(message("/ghostlight/tone", {std::string("linear")})).ok());
+    remote.know({"house"}, {});
+    EXPECT_EQ(remote.request().light(), 0) << "the same show, edited";
+    remote.begin({"house"}, {});
+    EXPECT_EQ(remote.request().light(), 1);
+    EXPECT_EQ(remote.request().haze, 1);
+    EXPECT_FALSE(remote.request().ev100);
+    EXPECT_FALSE(remote.request().tone);
+}
+
 TEST(Remote, a_look_by_name_and_seconds) {
     Remote remote({"house"});
     EXPECT_TRUE(remote.apply(message("/ghostlight/look", {std::string("Verse")})).ok());

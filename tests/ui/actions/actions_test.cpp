@@ -14,6 +14,8 @@
 #include <QComboBox>
 #include <QDockWidget>
 #include <QDropEvent>
+#include <QJsonDocument>
+#include <QJsonObject>
 #include <QKeyEvent>
 #include <QLocalSocket>
 #include <QMenuBar>
@@ -56,6 +58,60 @@ TEST(Actions, lines_are_split_at_blanks_and_quotes) {
     EXPECT_EQ(*words, (QStringList{"select", "Spot 1", "Wash", ""}));
     EXPECT_TRUE(split_line("")->isEmpty());
     EXPECT_FALSE(split_line("select \"Spot 1").ok());
+}
+
+TEST(Actions, whatever_is_typed_is_one_argument_with_its_quotes) {
+    for (const char* const words : {"pipe 12\" left", "on \"Go!\"", "", "\"", "back\\slash", "at the end\\",
+                                    "\\\"", "\\\\\" \\\\", "  "}) {
+        const auto split = split_line("cue-set 1 notes " + quoted(words) + " x");
+        ASSERT_TRUE(split.ok()) << words;
+        EXPECT_EQ(*split, (QStringList{"cue-set", "1", "notes", words, "x"}));
+    }
+    const auto plain = split_line("open C:\\shows\\tour \\\"a\\\"");
+    ASSERT_TRUE(plain.ok());
+    EXPECT_EQ(*plain, (QStringList{"open", "C:\\shows\\tour", "\"a\""}));
+}
+
+TEST(Actions, a_word_behind_the_last_argument_is_none_that_is_left_out_in_silence) {
+    Opened4 opened;
+    EXPECT_EQ(opened.error_of("select *"), "");
+    EXPECT_EQ(opened.error_of("intensity 0.5 0.7"), "intensity: '0.7' is a word too many: it takes NUMBER");
+    EXPECT_TRUE(opened.request().look.is_empty());
+    EXPECT_NE(opened.error_of("loop 1 2 3"), "");
+    EXPECT_NE(opened.error_of("cancel-bounce maybe"), "");
+    EXPECT_EQ(opened.error_of("select \"Lamp 1\" \"Lamp 2\" \"Lamp 3\""), "") << "as many as one likes";
+}
+
+TEST(Actions, record_is_a_switch_that_may_name_its_file) {
+    Opened4 opened;
+    EXPECT_EQ(opened.error_of("record on"), "");
+    const std::string file = opened.request().record_to;
+    EXPECT_TRUE(QString::fromStdString(file).endsWith(".ghostdmx")) << file;
+    EXPECT_EQ(opened.error_of("record on"), "");
+    EXPECT_EQ(opened.request().record_to, file);
+    EXPECT_EQ(opened.error_of("record off"), "");
+    EXPECT_EQ(opened.request().record_to, "");
+    EXPECT_EQ(opened.error_of("record mine.ghostdmx"), "");
+    EXPECT_EQ(opened.request().record_to, "mine.ghostdmx");
+}
+
+TEST(Actions, the_state_has_what_a_remote_control_holds) {
+    Opened4 opened;
+    QTemporaryDir folder;
+    const auto held = [&] {
+        const QString file = folder.filePath("state.json");
+        EXPECT_EQ(opened.error_of("state " + quoted(file).toStdString()), "");
+        const auto text = read_text_file(file.toStdString(), 1 << 20);
+        EXPECT_TRUE(text.ok());
+        return QJsonDocument::fromJson(QByteArray::fromStdString(*text)).object()["remote"].toObject();
+    };
+    EXPECT_TRUE(held().isEmpty());
+    RigNow rig = four_lit();
+    rig.remote = {.master = 0.5f, .black_out = true, .ev100 = 12.0f};
+    opened.link.rig.put(std::move(rig));
+    opened.link.on_news();
+    settle();
+    EXPECT_EQ(held(), (QJsonObject{{"master", 0.5}, {"black_out", true}, {"ev100", 12.0}}));
 }
 
 // A dialog would wait for ever for a person who is not there.

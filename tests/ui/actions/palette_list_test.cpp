@@ -149,6 +149,24 @@ TEST(Hold, is_one_step_and_says_where_there_is_nothing_left_to_hold) {
     EXPECT_TRUE(spots.app.look().is_empty());
 }
 
+// As a look that was stored as it was seen gives them.
+TEST(Levels, that_hands_hold_are_held_aligned_and_kept_as_any_other_value) {
+    Spots spots;
+    Look look;
+    const fixture::Patch patch = spots.app.show()->fixtures[0].patch();
+    look.fixtures[0].levels.assign(fixture::level_count(patch.mode_of()), 77);
+    spots.app.set_look(look, "look");
+    spots.app.select_in_order({0, 2});
+    EXPECT_EQ(spots.error_of("palette-store position Stored"), "");
+    spots.turn_into_spots(); // the edit was read
+    EXPECT_EQ(spots.error_of("align-values first all"), "");
+    EXPECT_GT(spots.hand(2).channels.size(), 10u);
+    spots.app.undo_stack().undo();
+    EXPECT_EQ(spots.error_of("hold"), "");
+    EXPECT_TRUE(spots.hand(0).levels.empty());
+    EXPECT_GT(spots.hand(0).channels.size(), 10u);
+}
+
 TEST(PaletteList, what_hands_set_is_kept_given_renamed_and_removed) {
     Spots spots;
     const std::string before = spots.document.text();

@@ -67,6 +67,14 @@ TEST(AppModel, another_show_forgets_what_was_done_to_the_one_before) {
     EXPECT_EQ(bench.app.selection(), std::set<std::size_t>{2}); // there is no 99
 }
 
+TEST(AppModel, another_show_is_as_bright_as_it_is) {
+    Bench bench;
+    bench.open();
+    bench.app.change_request([](ViewRequest& request) { request.master = 0.25f; });
+    bench.open();
+    EXPECT_EQ(bench.app.request().master, 1);
+}
+
 // Take on the page of a plot, and "Make a show of it": to whoever sees it that is the same stage.
 TEST(AppModel, a_show_that_is_made_of_the_plot_that_is_open_keeps_what_hands_hold) {
     Bench bench;

@@ -47,6 +47,23 @@ TEST(LookFader, seconds_are_those_of_the_next_change_alone) {
     EXPECT_EQ(fader.on_the_way(by_hand, &show, now), by_hand);
 }
 
+TEST(LookFader, what_is_on_its_way_may_be_told_to_be_there_sooner) {
+    scene::Show show;
+    show.fixtures.resize(1);
+    RigNow now;
+    now.fixtures.resize(1);
+    LookFader fader([] {});
+    (void)fader.on_the_way(with_intensity(0), &show, now);
+    fader.set_next(kLong_ms / 1000);
+    fader.change(with_intensity(0), with_intensity(1));
+    fader.hurry(2.0 * kLong_ms / 1000);
+    EXPECT_LT(fader.on_the_way(with_intensity(1), &show, now).fixtures.at(0).intensity, 0.5f);
+    EXPECT_TRUE(fader.is_going()) << "later than it is on its way: it goes on";
+    fader.hurry(0);
+    EXPECT_FALSE(fader.is_going());
+    EXPECT_EQ(fader.on_the_way(with_intensity(1), &show, now), with_intensity(1));
+}
+
 TEST(CameraFlight, it_ends_at_its_end_with_the_frame_of_that) {
     FramedCamera here;
     int steps = 0;

@@ -100,6 +100,24 @@ TEST(Hold, the_hand_has_to_the_byte_what_the_desk_sent_and_the_desk_may_go) {
     EXPECT_EQ(targets.beams.front().dimmer * targets.beams.front().shutter, 0.8f);
 }
 
+// Of a look that was stored as it was seen.
+TEST(Hold, what_levels_by_hand_have_is_taken_in_single_channels_and_makes_palettes) {
+    const Spots spots;
+    const scene::PatchedFixture& spot = spots.show.fixtures[0];
+    fixture::Programmer stored;
+    stored.levels = fixture::levels_of(spots.patch(), spots.levels);
+    const scene::PaletteValues position = palette_values_of(scene::PaletteKind::position, spot, stored);
+    EXPECT_FALSE(position.is_empty());
+    fixture::Programmer held = stored;
+    hold(spot, {}, held);
+    EXPECT_TRUE(held.levels.empty());
+    EXPECT_TRUE(holds(spot, fixture::Role::pan, held));
+    EXPECT_EQ(fixture::levels_by_hand(held, spots.patch(), {}), stored.levels) << "to the byte";
+    fixture::Programmer given;
+    EXPECT_TRUE(give_values(position, spot, given));
+    EXPECT_TRUE(holds(spot, fixture::Role::pan, given));
+}
+
 TEST(HeadValues, what_was_asked_for_last_wins_and_nothing_goes_farther_than_the_head) {
     const Spots spots;
     const scene::PatchedFixture& spot = spots.show.fixtures[0];

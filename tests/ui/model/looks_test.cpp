@@ -109,6 +109,21 @@ TEST(UiLooks, a_file_that_cannot_be_read_is_not_taken_for_none) {
     EXPECT_EQ(std::filesystem::file_size(bench.file()), large.size()) << "another program's, and still whole";
 }
 
+TEST(UiLooks, one_that_fades_is_there_at_once_where_it_is_recalled_without_seconds) {
+    LookBench bench;
+    bench.read();
+    bench.set(0, 0.5f);
+    ASSERT_TRUE(bench.looks.store("A").ok());
+    bench.app.set_look({}, "release all");
+    ASSERT_TRUE(bench.looks.recall("A", 60).ok());
+    ASSERT_TRUE(bench.app.fades());
+    ASSERT_TRUE(bench.looks.recall("A", 60).ok());
+    EXPECT_TRUE(bench.app.fades());
+    ASSERT_TRUE(bench.looks.recall("A", 0).ok());
+    EXPECT_FALSE(bench.app.fades());
+    EXPECT_EQ(bench.app.request().look.fixtures.at(0).intensity, 0.5f);
+}
+
 TEST(UiLooks, any_sequence_of_changes_is_undone_to_the_same_bytes) {
     LookBench bench;
     bench.read();

@@ -40,6 +40,28 @@ TEST(Chips, a_desk_that_sends_no_more_is_told_from_one_that_does) {
     EXPECT_NE(in_part.ground, good());
 }
 
+TEST(Chips, what_a_remote_control_holds_is_told_from_what_the_window_does) {
+    Heard heard;
+    const auto words = [&](const RemoteNow& remote) {
+        RigNow rig = four_lit();
+        rig.remote = remote;
+        heard.link.rig.put(std::move(rig));
+        heard.link.on_news();
+        settle();
+        QStringList all;
+        for (const Chip& chip : chips_of(heard.app)) all << chip.text;
+        return all;
+    };
+    EXPECT_FALSE(words({}).join("|").contains("remote"));
+    const QStringList held =
+        words({.master = 0.25f, .black_out = true, .haze = 2, .ev100 = 12.0f, .tone = image::Tone::linear});
+    EXPECT_EQ(held.front(), "BLACK-OUT (remote)");
+    for (const char* const one :
+         {"MASTER 25 % (remote)", "EV 0.0 (remote)", "HAZE x 2 (remote)", "TONE linear (remote)"})
+        EXPECT_TRUE(held.contains(one)) << one << " in " << held.join("|").toStdString();
+    EXPECT_FALSE(held.contains("BLACK-OUT"));
+}
+
 // Twenty seconds of the show before would pass for a window that has not understood.
 TEST(Chips, another_show_that_is_opened_is_said_first) {
     Heard heard;

@@ -6,6 +6,7 @@
 #include <QFileDialog>
 #include <QLabel>
 #include <QLineEdit>
+#include <QMessageBox>
 #include <QPushButton>
 #include <QTimer>
 #include <QToolBar>
@@ -30,7 +31,14 @@ struct Asking {
                 began = dialog->directory().canonicalPath();
                 if (answer.isEmpty()) return dialog->reject();
                 dialog->findChild<QLineEdit*>("fileNameEdit")->setText(answer);
-                static_cast<QDialog*>(dialog)->accept();
+                // It may ask on its part, for which this timer must be free.
+                QMetaObject::invokeMethod(
+                    dialog, [dialog] { static_cast<QDialog*>(dialog)->accept(); }, Qt::QueuedConnection);
+            }
+            if (auto* const box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget())) {
+                asked = box->text();
+                answer.clear();
+                box->reject();
             }
         });
         closer.start(20);
@@ -59,6 +67,7 @@ struct Asking {
     Window window{link, {.remembers = false, .width = 1000, .height = 700}};
     QTimer closer; // the dialogs would wait for ever
     QString began, answer;
+    QString asked; // before a file goes
 };
 
 TEST(FileQuestion, begins_in_the_folder_of_the_show_that_is_open) {
@@ -81,6 +90,16 @@ TEST(FileQuestion, begins_where_the_same_was_asked_last_but_save_as_stays_with_t
     EXPECT_EQ(in.begin_of("add-fixture"), there);
     EXPECT_EQ(in.begin_of("save-as"), in.here);
     EXPECT_EQ(in.begin_of("open"), in.here);
+}
+
+TEST(FileQuestion, a_name_without_its_ending_is_asked_about_as_the_file_that_it_would_be) {
+    Asking in;
+    const fs::path there = fs::path(in.own.path().toStdString()) / "act2.toml";
+    ASSERT_TRUE(write_file_atomic(there, "precious").ok());
+    in.answer = in.here + "/act2";
+    in.begin_of("save-as");
+    EXPECT_TRUE(in.asked.contains("act2.toml")) << in.asked.toStdString();
+    EXPECT_EQ(*read_text_file(there, 100), "precious");
 }
 
 TEST(FileQuestion, stills_and_films_begin_there_too) {
