@@ -12,6 +12,7 @@
 #include <QObject>
 
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <string>
 #include <vector>
@@ -22,6 +23,9 @@ class Looks : public QObject {
     Q_OBJECT
 public:
     explicit Looks(AppModel& app);
+
+    // Error: the file is not to be written here. None: it is.
+    std::function<Result<void>()> may_write;
 
     const std::vector<scene::StoredLook>& all() const { return looks_; }
     // The one that was stored or recalled last, while nothing was changed by hand since; empty: none.
@@ -57,6 +61,7 @@ private:
     bool take_changes();
     Result<void> put_in(scene::StoredLook look);
     void add_movers(scene::StoredLook& look) const; // those under the hand
+    Result<void> check_writable() const;
     Result<void> edit(const QString& what, List after);
     Result<void> write(const List& looks);
     // Where something is another than it was when it was published last.
