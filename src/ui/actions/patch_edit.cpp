@@ -146,14 +146,14 @@ Result<void> PatchEdit::rename(const QString& name) {
 }
 
 Result<void> PatchEdit::set_mode(const QString& mode) {
-    TRY(const auto edits,
-        edits_of_each([&](const scene::PatchedFixture& fixture, scene::FixtureEdit& edit) -> Result<void> {
-            if (!fixture.type) return Error{"has no fixture file that can be read", fixture.name};
-            if (auto found = fixture::find_mode(*fixture.type, mode.toStdString()); !found.ok())
-                return Error{found.error().what, fixture.name};
-            edit.mode = mode.toStdString();
-            return {};
-        }));
+    const auto set = [&](const scene::PatchedFixture& fixture, scene::FixtureEdit& edit) -> Result<void> {
+        if (!fixture.type) return Error{"has no fixture file that can be read", fixture.name};
+        if (auto found = fixture::find_mode(*fixture.type, mode.toStdString()); !found.ok())
+            return Error{found.error().what, fixture.name};
+        edit.mode = mode.toStdString();
+        return {};
+    };
+    TRY(const auto edits, edits_of_each(set));
     TRY(std::string text, scene::edit_fixtures(document_.text(), edits));
     Look look = app_.look(); // levels of one mode are others, or none, in another
     for (auto& [index, programmer] : look.fixtures) {
