@@ -163,6 +163,11 @@ TEST(ImportPlot, the_next_version_is_seen_in_the_show_that_is_open) {
     Desk desk(folder);
     desk.app.open(folder);
     desk.open();
+    Opened opened = desk.app.opened();
+    opened.opens = desk.app.request().opens;
+    desk.link.opened.put(std::move(opened));
+    desk.link.on_news();
+    settle();
     ASSERT_FALSE(desk.app.show()->plot_file.empty());
     const std::uint64_t opens = desk.app.request().opens;
     Jobs& jobs = desk.app.jobs();
