@@ -125,22 +125,22 @@ Result<void> import_plot(AppModel& app, ShowDocument& document, const QString& p
     const int number = app.jobs().start(translated("Jobs", "import %1").arg(QFileInfo(plot).fileName()),
                                         {"import", plot, "-o", folder});
     auto* const waits = new QObject(&app);
-    QObject::connect(
-        &app.jobs(), &Jobs::ended, waits, [&app, &document, waits, number, plot, folder](const Job& job) {
-            if (job.number != number) return;
-            waits->deleteLater();
-            if (job.state != Job::State::done) return;
-            std::error_code code;
-            const scene::Show* const seen = app.show().get();
-            const bool is_plot = seen && seen->file == seen->plot_file;
-            if (is_plot && fs::equivalent(seen->file, plot.toStdString(), code))
-                app.open_made_of_plot(folder.toStdString());
-            else if (seen && !is_plot && !seen->plot_file.empty() && !app.is_opening() &&
-                     fs::equivalent(seen->folder, folder.toStdString(), code))
-                document.read_again(); // its plot has another version now
-            else
-                app.open(folder.toStdString());
-        });
+    QObject::connect(&app.jobs(), &Jobs::ended, waits,
+                     [&app, &document, waits, number, plot, folder](const Job& job) {
+                         if (job.number != number) return;
+                         waits->deleteLater();
+                         if (job.state != Job::State::done) return;
+                         std::error_code code;
+                         const scene::Show* const seen = app.show().get();
+                         const bool is_plot = seen && seen->file == seen->plot_file;
+                         if (is_plot && fs::equivalent(seen->file, plot.toStdString(), code))
+                             app.open_made_of_plot(folder.toStdString());
+                         else if (seen && !is_plot && !seen->plot_file.empty() && !app.is_opening() &&
+                                  fs::equivalent(seen->folder, folder.toStdString(), code))
+                             document.read_again(); // its plot has another version now
+                         else
+                             app.open(folder.toStdString());
+                     });
     return {};
 }
 

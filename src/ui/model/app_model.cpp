@@ -282,8 +282,9 @@ void AppModel::take_opened(Opened opened) {
     Q_EMIT look_changed();
 }
 
-// An edit of this window is shown by the fixtures that it has. What other files say is known when they are read:
-// then hands, selection and mark stay with what they were on, and steps of before mean nothing any more.
+// An edit of this window is shown by the fixtures that it has. What other files say is known when they are
+// read: then hands, selection and mark stay with what they were on, and steps of before mean nothing any
+// more.
 void AppModel::go_on_from(const Opened& before, bool are_files_others) {
     if (!before.show || !opened_.show) return;
     if (marked_) marked_ = place_of(*marked_, before.objects, opened_.objects, kIsCalledSo);

@@ -129,8 +129,8 @@ public:
     void put_edit(std::shared_ptr<const std::string> text, scene::Show preview, const Look& look,
                   std::set<std::size_t> selection);
 
-    // The text is the same, and files that the show names are others now: they are read again. What hands hold
-    // stays with the heads and objects that it is on.
+    // The text is the same, and files that the show names are others now: they are read again. What hands
+    // hold stays with the heads and objects that it is on.
     void read_again(std::shared_ptr<const std::string> text);
 
     // Long work in the background.

@@ -19,9 +19,8 @@ QString text_of(const scene::PatchedFixture& fixture, int column, bool waits) {
     case FixtureList::name:
         return QString::fromStdString(fixture.name);
     case FixtureList::patch:
-        return fixture.address > 0
-                   ? address_words(fixture.universe, fixture.address)
-                   : translated("Fixtures", "none");
+        return fixture.address > 0 ? address_words(fixture.universe, fixture.address)
+                                   : translated("Fixtures", "none");
     case FixtureList::type:
         if (fixture.type) return QString::fromStdString(fixture.type->name);
         return waits ? translated("Fixtures", "file is being read")

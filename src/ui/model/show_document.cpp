@@ -174,7 +174,7 @@ void ShowDocument::begin_editing() {
 void ShowDocument::notice_loss() {
     if (!was_ours_ || !is_read_only()) return;
     was_ours_ = false;
-    draft_.reset(); // the other window offers it
+    draft_.reset();            // the other window offers it
     app_.undo_stack().clear(); // a step back would change a text that is the other's
     QString kept;
     if (is_changed()) {

@@ -52,8 +52,7 @@ QString words(const glm::vec3& numbers) {
 // Of a length that is none of anybody's: the show makes it 1.
 QString way_words(const glm::vec3& way) {
     QStringList numbers;
-    for (int axis = 0; axis < 3; ++axis)
-        numbers << QString::number(static_cast<double>(way[axis]), 'g', 4);
+    for (int axis = 0; axis < 3; ++axis) numbers << QString::number(static_cast<double>(way[axis]), 'g', 4);
     return numbers.join(' ');
 }
 

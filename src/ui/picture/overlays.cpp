@@ -29,9 +29,8 @@ QFont small_font(const QPainter& painter) {
 }
 
 QString address_of(const scene::PatchedFixture& fixture) {
-    return fixture.address > 0
-               ? address_words(fixture.universe, fixture.address)
-               : translated("Picture", "no address");
+    return fixture.address > 0 ? address_words(fixture.universe, fixture.address)
+                               : translated("Picture", "no address");
 }
 
 // Lines that are no longer than a person reads at a glance, but for single long words.

@@ -64,8 +64,9 @@ TEST(FixturePanel, what_is_chosen_with_ctrl_comes_beside_what_is_searched_away) 
     ASSERT_EQ(table->model()->rowCount(), 1);
     const auto click = [&](Qt::KeyboardModifiers keys) {
         const QPointF at = table->visualRect(table->model()->index(0, FixtureList::name)).center();
-        for (const auto& [type, held] : {std::pair{QEvent::MouseButtonPress, Qt::MouseButtons(Qt::LeftButton)},
-                                         {QEvent::MouseButtonRelease, Qt::MouseButtons(Qt::NoButton)}}) {
+        for (const auto& [type, held] :
+             {std::pair{QEvent::MouseButtonPress, Qt::MouseButtons(Qt::LeftButton)},
+              {QEvent::MouseButtonRelease, Qt::MouseButtons(Qt::NoButton)}}) {
             QMouseEvent event(type, at, table->viewport()->mapToGlobal(at), Qt::LeftButton, held, keys);
             QCoreApplication::sendEvent(table->viewport(), &event);
         }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A show file that somebody else writes, and what comes in the place of a show: hands stay on their heads, looks
-// go with the names, and what cannot be taken asks.
+// A show file that somebody else writes, and what comes in the place of a show: hands stay on their heads,
+// looks go with the names, and what cannot be taken asks.
 #include "support/test_desk.h"
 
 #include "ui/actions/show_actions.h"

@@ -1,8 +1,8 @@
 #pragma once
 // SPDX-License-Identifier: Apache-2.0
-// What goes by index, carried over to a show that counts otherwise: another text of it, its next version, or one
-// that was made of a plot. Fixtures are the same by their object of the plot, else by name; movers, objects and
-// materials by name. Pure.
+// What goes by index, carried over to a show that counts otherwise: another text of it, its next version, or
+// one that was made of a plot. Fixtures are the same by their object of the plot, else by name; movers,
+// objects and materials by name. Pure.
 
 #include "link/link.h"
 #include "show/show.h"
@@ -31,7 +31,8 @@ std::optional<std::size_t> place_of(std::size_t index, const std::vector<T>& bef
 }
 
 // Whether an index means something else now. What is new or gone behind all others changes none.
-template <class T, class F> bool counts_otherwise(const std::vector<T>& before, const std::vector<T>& now, F&& is_same) {
+template <class T, class F>
+bool counts_otherwise(const std::vector<T>& before, const std::vector<T>& now, F&& is_same) {
     const auto count = static_cast<std::ptrdiff_t>(std::min(before.size(), now.size()));
     return !std::equal(before.begin(), before.begin() + count, now.begin(), is_same);
 }
