@@ -1930,7 +1930,7 @@
         <translation>Universum.Adresse der ersten Achse, je 16 Bit; die anderen folgen. Eingabe setzt sie.</translation>
     </message>
     <message>
-        <source>%1 %2 deg of %3 to %4</source>
+        <source>%1 %2° of %3 to %4</source>
         <translation>%1 %2° von %3 bis %4</translation>
     </message>
     <message>

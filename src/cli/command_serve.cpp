@@ -76,7 +76,7 @@ public:
 
     // An error is one that ends the command.
     Result<void> read_news() {
-        if (const auto news = link_.not_opened.take()) return *news;
+        if (const auto news = link_.not_opened.take()) return news->error;
         if (const auto news = link_.failed.take()) return *news;
         if (const auto news = link_.opened.take(); news && !news->is_edit) TRY_VOID(look_at(*news));
         if (const auto call = link_.camera_call.take()) look_from(call->camera);

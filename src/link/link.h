@@ -154,6 +154,12 @@ struct Opened {
     bool again = false;                      // a newer version of the show that was open: the camera stays
 };
 
+// The show of a request could not be; what was open stays.
+struct NotOpened {
+    Error error;
+    std::uint64_t opens = 0; // of the request
+};
+
 // A plot that came from the network (MVR-xchange), to be taken or left.
 struct ReceivedPlot {
     std::uint64_t number = 0; // grows
@@ -199,6 +205,7 @@ struct Picture {
 struct FixtureNow {
     glm::vec3 light_m{0};
     glm::vec3 direction{0, 0, -1};
+    glm::mat3 turned{1}; // by what carries it, from where the show hangs it
     glm::vec3 colour{0}; // of its brightest beam, largest component 1; black: dark
     float candela = 0;   // on the axis, all beams together
     float pan_deg = 0;
@@ -310,8 +317,8 @@ struct Link {
     Signal wake; // of the engine: after a request was put
 
     News<Opened> opened;
-    Mailbox<Error> not_opened; // the show of the request could not be; what was open stays
-    Mailbox<Error> failed;     // something else that the window asked for
+    Mailbox<NotOpened> not_opened;
+    Mailbox<Error> failed; // something else that the window asked for
     News<Picture> picture;
     News<RigNow, Late::waits> rig;
     News<dmx::Statistics> network;

@@ -33,7 +33,7 @@ struct SurfaceLook {
 struct Look {
     std::map<std::size_t, fixture::Programmer> fixtures; // by index of the show; no empty ones
     SceneLook scene;
-    std::map<std::size_t, bool> shown;                // by index of the object
+    std::map<std::size_t, bool> shown;                // by Object::instance
     std::map<std::size_t, SurfaceLook> surfaces;      // by index of the material; no empty ones
     std::set<std::size_t> solo;                       // these fixtures alone shine; empty: all do
     std::optional<int> haze_samples;                  // along a ray through one beam

@@ -3,6 +3,7 @@
 
 #include "json_xml_toml/toml_keys.h"
 #include "show_file/fixture_names_edit.h"
+#include "show_file/show_edit.h"
 
 namespace ghost::scene {
 namespace {
@@ -22,6 +23,16 @@ Result<void> check(const TomlText& document, const std::vector<Camera>& cameras,
 }
 
 } // namespace
+
+Result<std::string> own_cameras(const std::string& text, const std::vector<Camera>& cameras) {
+    TRY(const TomlText document, TomlText::parse(text));
+    if (!document.tables("camera").empty()) return text;
+    std::string with = text;
+    for (const Camera& camera : cameras) {
+        TRY(with, add_camera(with, camera));
+    }
+    return with;
+}
 
 Result<std::string> rename_camera(const std::string& text, const std::vector<Camera>& cameras,
                                   std::size_t index, const std::string& name) {

@@ -12,6 +12,9 @@
 
 namespace ghost::scene {
 
+// Where the file has no [[camera]], those that were made for the show are written into it: one of its own
+// would take their place.
+Result<std::string> own_cameras(const std::string& text, const std::vector<Camera>& cameras);
 // Cues and trackers that name it, and movers that carry it, have the new name. Error, of both: the file has
 // no [[camera]], so that those there are were made from where fixtures hang; or one that cannot be read.
 Result<std::string> rename_camera(const std::string& text, const std::vector<Camera>& cameras,

@@ -72,5 +72,15 @@ TEST(CameraEdit, what_the_file_does_not_have_is_refused) {
     EXPECT_FALSE(rename_camera(kWithCameras, two_cameras(), 2, "x").ok());
 }
 
+TEST(CameraEdit, those_that_were_made_are_written_where_the_file_has_none) {
+    const Result<std::string> text = own_cameras("[show]\n", two_cameras());
+    ASSERT_TRUE(text.ok()) << text.error().text();
+    EXPECT_NE(text->find("name = \"front\""), std::string::npos) << *text;
+    EXPECT_LT(text->find("name = \"front\""), text->find("name = \"side\"")) << *text;
+    const Result<std::string> again = own_cameras(kWithCameras, two_cameras());
+    ASSERT_TRUE(again.ok());
+    EXPECT_EQ(*again, kWithCameras);
+}
+
 } // namespace
 } // namespace ghost::scene

@@ -103,7 +103,7 @@ Result<std::unique_ptr<Served>> Served::open(const BenchOptions& options) {
     served->send();
     for (const double end_s = steady_now_s() + kOpen_s; steady_now_s() < end_s && !interrupted();) {
         (void)served->news_.wait_for(100ms);
-        if (const auto problem = served->link_.not_opened.take()) return *problem;
+        if (const auto problem = served->link_.not_opened.take()) return problem->error;
         const auto opened = served->link_.opened.take();
         if (!opened) continue;
         if (opened->show->cameras.empty()) return Error{"has no camera", options.show};

@@ -9,6 +9,7 @@
 
 #include "base/log.h"
 #include "base/memory.h"
+#include "base/text.h"
 #include "disk/leftovers.h"
 
 #include <algorithm>
@@ -171,7 +172,7 @@ void Engine::open(const std::string& path) {
     auto opened = open_session(session_options(path));
     link_.activity.put("");
     if (!opened.ok()) {
-        link_.not_opened.put(opened.error());
+        link_.not_opened.put({opened.error(), opens_});
         link_.on_news();
         return;
     }
@@ -182,7 +183,8 @@ void Engine::open(const std::string& path) {
 SessionOptions Engine::session_options(const std::string& path) const {
     SessionOptions options = options_.session;
     options.show = path;
-    options.text = text_;
+    // A plot has none: the text is that of a show in whose place it came from the network.
+    if (lower(std::filesystem::path(path).extension().string()) != ".mvr") options.text = text_;
     options.live = true;
     options.workers = true;
     options.maps_in_background = true;

@@ -52,6 +52,7 @@ void RigNews::publish(const Session& session, const LiveInput& input, const Remo
         const scene::PatchedFixture& fixture = session.show->fixtures[i];
         ui::FixtureNow now;
         now.light_m = glm::vec3(session.rig->moved(i) * glm::vec4(scene::light_position_m(fixture, 0), 1.0f));
+        now.turned = glm::mat3(session.rig->moved(i));
         now.pan_deg = states[i].pan_deg;
         now.tilt_deg = states[i].tilt_deg;
         float brightest_cd = -1;

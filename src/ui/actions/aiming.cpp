@@ -45,7 +45,8 @@ Result<int> aim_selected(AppModel& app, const glm::vec3& at_m, float spread_m) {
         const float share =
             heads.size() > 1 ? static_cast<float>(k) / static_cast<float>(heads.size() - 1) - 0.5f : 0.0f;
         const glm::vec3 way = at_m + glm::vec3(share * spread_m, 0, 0) - now.light_m;
-        const glm::mat3 to_fixture = glm::inverse(glm::mat3(scene::fixture_to_world(fixture, 0)));
+        const glm::mat3 to_fixture =
+            glm::inverse(now.turned * glm::mat3(scene::fixture_to_world(fixture, 0)));
         const scene::PanTilt wanted =
             scene::aim(to_fixture * way, {programmer.pan_deg.value_or(now.pan_deg),
                                           programmer.tilt_deg.value_or(now.tilt_deg)});

@@ -63,6 +63,12 @@ Result<void> focus(AppModel& app, bool all) {
     return {};
 }
 
+// That the picture has, where it finds its own.
+double exposure_seen(const AppModel& app) {
+    const bool is_measured = app.camera().auto_exposure && app.picture().image;
+    return static_cast<double>(is_measured ? app.picture().ev100 : app.camera().ev100);
+}
+
 Result<void> expose(AppModel& app, double ev100, bool automatic) {
     app.set_exposure(static_cast<float>(std::clamp(ev100, kLeastEv, kMostEv)), automatic);
     return {};
@@ -77,7 +83,7 @@ void add_moves(Actions& actions, AppModel& app) {
                      arguments,
                      [&app, count, most, f](const QStringList& words) -> Result<void> {
                          TRY(const std::vector<float> values, numbers(words, count, most));
-                         app.set_camera(f(app.camera(), values));
+                         app.set_camera(f(app.camera_to_move(), values));
                          return {};
                      },
                      {}});
@@ -101,7 +107,7 @@ void add_moves(Actions& actions, AppModel& app) {
                  "FACTOR",
                  [&app](const QStringList& words) -> Result<void> {
                      TRY(const double factor, number_of(words, 0, "factor", 0.001, 1000));
-                     app.set_camera(scene::dollied(app.camera(), static_cast<float>(factor)));
+                     app.set_camera(scene::dollied(app.camera_to_move(), static_cast<float>(factor)));
                      return {};
                  },
                  {}});
@@ -112,7 +118,7 @@ void add_moves(Actions& actions, AppModel& app) {
                  "X Y Z TARGET-X TARGET-Y TARGET-Z [FOV-DEG]",
                  [&app](const QStringList& words) -> Result<void> {
                      TRY(const Values v, numbers(words, 6, 10000));
-                     scene::Camera camera = app.camera();
+                     scene::Camera camera = app.camera_to_move();
                      camera.position_m = {v[0], v[1], v[2]};
                      camera.target_m = {v[3], v[4], v[5]};
                      if (glm::distance(camera.position_m, camera.target_m) < 1e-3f)
@@ -176,26 +182,19 @@ void add_camera_actions(Actions& actions, AppModel& app,
                  translated("Action", "Expose brighter"),
                  "+; =",
                  "",
-                 [&app](const QStringList&) {
-                     return expose(app, static_cast<double>(app.camera().ev100) - 0.5, false);
-                 },
+                 [&app](const QStringList&) { return expose(app, exposure_seen(app) - 0.5, false); },
                  {}});
     actions.add({"darker",
                  "Camera",
                  translated("Action", "Expose darker"),
                  "-",
                  "",
-                 [&app](const QStringList&) {
-                     return expose(app, static_cast<double>(app.camera().ev100) + 0.5, false);
-                 },
+                 [&app](const QStringList&) { return expose(app, exposure_seen(app) + 0.5, false); },
                  {}});
     actions.add({"auto-exposure", "Camera", translated("Action", "Automatic exposure"), "X", "",
                  [&app](const QStringList&) {
-                     const bool automatic = app.camera().auto_exposure;
                      // What the picture has now is where the hand goes on.
-                     return expose(app,
-                                   static_cast<double>(automatic ? app.picture().ev100 : app.camera().ev100),
-                                   !automatic);
+                     return expose(app, exposure_seen(app), !app.camera().auto_exposure);
                  },
                  [&app] { return app.camera().auto_exposure; }});
     actions.add({"baked", "Camera", translated("Action", "Baked pictures where they are fresh"), "",

@@ -146,15 +146,26 @@ Result<void> PatchEdit::rename(const QString& name) {
 }
 
 Result<void> PatchEdit::set_mode(const QString& mode) {
-    return edit_each(of_chosen(translated("Undo", "Mode")),
-                     [&](const scene::PatchedFixture& fixture, scene::FixtureEdit& edit) -> Result<void> {
-                         if (!fixture.type)
-                             return Error{"has no fixture file that can be read", fixture.name};
-                         if (auto found = fixture::find_mode(*fixture.type, mode.toStdString()); !found.ok())
-                             return Error{found.error().what, fixture.name};
-                         edit.mode = mode.toStdString();
-                         return {};
-                     });
+    const auto set = [&](const scene::PatchedFixture& fixture, scene::FixtureEdit& edit) -> Result<void> {
+        if (!fixture.type) return Error{"has no fixture file that can be read", fixture.name};
+        if (auto found = fixture::find_mode(*fixture.type, mode.toStdString()); !found.ok())
+            return Error{found.error().what, fixture.name};
+        edit.mode = mode.toStdString();
+        return {};
+    };
+    TRY(const auto edits, edits_of_each(set));
+    TRY(std::string text, scene::edit_fixtures(document_.text(), edits));
+    Look look = app_.look(); // levels of one mode are others, or none, in another
+    for (auto& [index, programmer] : look.fixtures) {
+        if (!chosen().contains(index) || index >= fixtures().size()) continue;
+        const scene::PatchedFixture& fixture = fixtures()[index];
+        const auto found = fixture::find_mode(*fixture.type, mode.toStdString());
+        if (!found.ok() || *found == fixture.mode) continue;
+        programmer.levels.clear();
+    }
+    std::erase_if(look.fixtures, [](const auto& entry) { return entry.second.is_empty(); });
+    return document_.edit(of_chosen(translated("Undo", "Mode")) + by_,
+                          {std::move(text), std::move(look), app_.selection()});
 }
 
 Result<void> PatchEdit::set_position(const glm::vec3& position_m) {
@@ -335,7 +346,8 @@ Result<void> PatchEdit::keep_camera(const QString& name) {
         return Error{"'" + camera.name + "' is no name of a camera: it names a folder", ""};
     if (!name.isEmpty() && taken.contains(camera.name))
         return Error{"another camera is called '" + camera.name + "'", ""};
-    TRY(std::string text, scene::add_camera(document_.text(), camera));
+    TRY(std::string text, scene::own_cameras(document_.text(), cameras));
+    TRY(text, scene::add_camera(text, camera));
     return document_.edit(translated("Undo", "Camera '%1' kept").arg(QString::fromStdString(camera.name)),
                           {std::move(text), app_.look(), app_.selection()});
 }

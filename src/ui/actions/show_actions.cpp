@@ -121,7 +121,7 @@ QString folder_for_plot(const QString& plot) {
     return file.absolutePath() + "/" + file.completeBaseName();
 }
 
-Result<void> import_plot(AppModel& app, const QString& plot) {
+Result<void> import_plot(AppModel& app, ShowDocument& document, const QString& plot) {
     if (!QFileInfo(plot).isFile()) return Error{"no such file", plot.toStdString()};
     if (QFileInfo(plot).suffix().toLower() != "mvr")
         return Error{"is no .mvr, as Vectorworks, Capture, grandMA3 and Production Assist export it",
@@ -130,18 +130,22 @@ Result<void> import_plot(AppModel& app, const QString& plot) {
     const int number = app.jobs().start(translated("Jobs", "import %1").arg(QFileInfo(plot).fileName()),
                                         {"import", plot, "-o", folder});
     auto* const waits = new QObject(&app);
-    QObject::connect(&app.jobs(), &Jobs::ended, waits, [&app, waits, number, plot, folder](const Job& job) {
-        if (job.number != number) return;
-        waits->deleteLater();
-        if (job.state != Job::State::done) return;
-        std::error_code code;
-        const bool is_seen = app.show() && app.show()->file == app.show()->plot_file &&
-                             fs::equivalent(app.show()->file, plot.toStdString(), code);
-        if (is_seen)
-            app.open_made_of_plot(folder.toStdString());
-        else
-            app.open(folder.toStdString());
-    });
+    QObject::connect(&app.jobs(), &Jobs::ended, waits,
+                     [&app, &document, waits, number, plot, folder](const Job& job) {
+                         if (job.number != number) return;
+                         waits->deleteLater();
+                         if (job.state != Job::State::done) return;
+                         std::error_code code;
+                         const scene::Show* const seen = app.show().get();
+                         const bool is_plot = seen && seen->file == seen->plot_file;
+                         if (is_plot && fs::equivalent(seen->file, plot.toStdString(), code))
+                             app.open_made_of_plot(folder.toStdString());
+                         else if (seen && !is_plot && !seen->plot_file.empty() && !app.is_opening() &&
+                                  fs::equivalent(seen->folder, folder.toStdString(), code))
+                             document.read_again(); // its plot has another version now
+                         else
+                             app.open(folder.toStdString());
+                     });
     return {};
 }
 
@@ -161,7 +165,7 @@ void add_show_actions(Actions& actions, AppModel& app, ShowDocument& document, c
                  translated("Action", "Import a plot..."),
                  "Ctrl+I",
                  "FILE.mvr",
-                 [&app](const QStringList& words) { return import_plot(app, words[0]); },
+                 [&app, &document](const QStringList& words) { return import_plot(app, document, words[0]); },
                  {},
                  {translated("Files", "A plot becomes a show"), translated("Files", "Plots (*.mvr)"), ""}});
     actions.add({"save-as",

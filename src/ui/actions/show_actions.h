@@ -10,8 +10,9 @@ namespace ghost::ui {
 
 // Of the show folder that a plot becomes: beside it, called as it.
 QString folder_for_plot(const QString& plot);
-// The plot becomes a show folder in the background, which then is opened; error: what is no plot.
-Result<void> import_plot(AppModel& app, const QString& plot);
+// The plot becomes a show folder in the background, which then is opened, or read again where it is; error:
+// what is no plot.
+Result<void> import_plot(AppModel& app, ShowDocument& document, const QString& plot);
 
 // docs: folder of the guide; empty: it is not there.
 void add_show_actions(Actions& actions, AppModel& app, ShowDocument& document, const std::string& docs,

@@ -5,6 +5,7 @@
 #include "show/camera_moves.h"
 #include "show/show.h"
 #include "ui/model/look_fade.h"
+#include "ui/model/private/carried.h"
 #include "ui/model/private/undo_ids.h"
 
 #include <QCoreApplication>
@@ -44,42 +45,17 @@ RigNow rig_of(const scene::Show& show, const scene::Show& drawn, RigNow rig) {
     return rig;
 }
 
-// By index of the one what is by index of the other: for each, where its like stands. Same: whether it is at
-// the same number; else the first that is called so.
-template <class T, class F>
-std::optional<std::size_t> place_of(std::size_t index, const std::vector<T>& before,
-                                    const std::vector<T>& now, F&& is_same) {
-    if (index >= before.size()) return std::nullopt;
-    if (index < now.size() && is_same(before[index], now[index])) return index;
-    const auto found =
-        std::find_if(now.begin(), now.end(), [&](const T& one) { return is_same(before[index], one); });
-    return found == now.end() ? std::nullopt : std::optional(static_cast<std::size_t>(found - now.begin()));
-}
-
-std::optional<std::size_t> fixture_of(std::size_t index, const Opened& before, const Opened& now) {
-    return place_of(index, before.show->fixtures, now.show->fixtures,
-                    [](const scene::PatchedFixture& a, const scene::PatchedFixture& b) {
-                        return a.uuid == b.uuid && (!a.uuid.empty() || a.name == b.name);
-                    });
-}
-
-// What a show that was made of a plot has of it. (A plot alone has no movers.)
-Look carried(const Look& look, const Opened& before, const Opened& now) {
-    const auto is_called_so = [](const auto& a, const auto& b) { return a.name == b.name; };
-    Look carried;
-    carried.scene = look.scene;
-    carried.haze_samples = look.haze_samples;
-    for (const auto& [index, programmer] : look.fixtures)
-        if (const auto place = fixture_of(index, before, now)) carried.fixtures[*place] = programmer;
-    for (const std::size_t index : look.solo)
-        if (const auto place = fixture_of(index, before, now)) carried.solo.insert(*place);
-    for (const auto& [index, shown] : look.shown)
-        if (const auto place = place_of(index, before.objects, now.objects, is_called_so))
-            carried.shown[*place] = shown;
-    for (const auto& [index, surface] : look.surfaces)
-        if (const auto place = place_of(index, before.materials, now.materials, is_called_so))
-            carried.surfaces[*place] = surface;
-    return carried;
+// Whether a fade goes on: what it mixes by index is the same.
+bool is_same_rig(const scene::Show& a, const scene::Show& b) {
+    return std::equal(a.fixtures.begin(), a.fixtures.end(), b.fixtures.begin(), b.fixtures.end(),
+                      [](const scene::PatchedFixture& x, const scene::PatchedFixture& y) {
+                          return is_same_fixture(x, y) && x.name == y.name && x.type == y.type &&
+                                 x.mode == y.mode;
+                      }) &&
+           std::equal(a.movers.begin(), a.movers.end(), b.movers.begin(), b.movers.end(),
+                      [](const scene::Mover& x, const scene::Mover& y) {
+                          return x.name == y.name && x.axes.size() == y.axes.size();
+                      });
 }
 
 void leave_out_empty(Look& look) {
@@ -93,7 +69,8 @@ void leave_out_empty(Look& look) {
 class LookStep : public QUndoCommand {
 public:
     LookStep(AppModel& app, Look before, Look after, const QString& text, int kind)
-        : QUndoCommand(text), app_(app), before_(std::move(before)), after_(std::move(after)), kind_(kind) {
+        : QUndoCommand(text), app_(app), before_(std::move(before)), after_(std::move(after)), kind_(kind),
+          choices_(app.choices_) {
         age_.start();
     }
     void undo() override { app_.put_look(before_); }
@@ -102,6 +79,8 @@ public:
     bool mergeWith(const QUndoCommand* next) override {
         const auto* later = static_cast<const LookStep*>(next);
         if (age_.elapsed() > kMergeWithin_ms) return false;
+        // The same slider of something else, and another one of that kind, are steps of their own.
+        if (choices_ != later->choices_ || text() != later->text()) return false;
         after_ = later->after_;
         age_.restart();
         return true;
@@ -111,6 +90,7 @@ private:
     AppModel& app_;
     Look before_, after_;
     int kind_;
+    std::uint64_t choices_;
     QElapsedTimer age_;
 };
 
@@ -138,10 +118,11 @@ void AppModel::read_news() {
         Q_EMIT activity_came();
     }
     if (auto news = link_.not_opened.take()) {
-        answered_opens_ = request_.opens;
-        open_error_ = *news;
-        Q_EMIT failed(QString::fromStdString(news->text()));
-        Q_EMIT not_opened();
+        answered_opens_ = std::max(answered_opens_, news->opens);
+        const bool is_awaited = !is_opening(); // else another one was asked for meanwhile
+        if (is_awaited) open_error_ = news->error;
+        Q_EMIT failed(QString::fromStdString(news->error.text()));
+        if (is_awaited) Q_EMIT not_opened();
     }
     if (auto news = link_.failed.take()) Q_EMIT failed(QString::fromStdString(news->text()));
     if (auto news = link_.opened.take()) take_opened(std::move(*news));
@@ -257,10 +238,14 @@ void AppModel::take_opened(Opened opened) {
     // An edit later than this one is shown already.
     if (opened.is_edit && opened.text != request_.text) return;
     const Opened before = std::exchange(opened_, std::move(opened));
+    const bool are_files_others = std::exchange(are_files_others_, false);
     if (opened_.is_edit) {
+        go_on_from(before, are_files_others);
         show_edit();
         return;
     }
+    // Something else than the request names, which may be asked for again.
+    is_elsewhere_ = opened_.again && before.show && opened_.show && before.show->file != opened_.show->file;
     answered_opens_ = std::max(answered_opens_, opened_.opens);
     patch_ = opened_.show ? scene::PatchMap(*opened_.show) : scene::PatchMap();
     latency_ = window_cost_ = {};
@@ -274,7 +259,7 @@ void AppModel::take_opened(Opened opened) {
         std::exchange(made_of_plot_, 0) == opened_.opens && opened_.opens > 0 && before.show && opened_.show;
     std::set<std::size_t> selection;
     for (const std::size_t index : selection_)
-        if (const auto place = keeps_hands ? fixture_of(index, before, opened_) : std::nullopt)
+        if (const auto place = keeps_hands ? fixture_of(index, *before.show, *opened_.show) : std::nullopt)
             selection.insert(*place);
     if (!is_copy) put_selection({});
     put_selection(is_copy ? selection_ : std::move(selection));
@@ -306,14 +291,43 @@ void AppModel::take_opened(Opened opened) {
     Q_EMIT look_changed();
 }
 
+// An edit of this window is shown by the fixtures that it has. What other files say is known when they are
+// read: then hands, selection and mark stay with what they were on, and steps of before mean nothing any
+// more.
+void AppModel::go_on_from(const Opened& before, bool are_files_others) {
+    if (!before.show || !opened_.show) return;
+    if (marked_) marked_ = place_of(*marked_, before.objects, opened_.objects, kIsCalledSo);
+    const bool has_other_heads =
+        counts_otherwise(before.show->fixtures, opened_.show->fixtures, is_same_fixture) ||
+        counts_otherwise(before.show->movers, opened_.show->movers, kIsCalledSo);
+    const bool has_another_stage =
+        are_files_others && (counts_otherwise(before.objects, opened_.objects, kIsCalledSo) ||
+                             counts_otherwise(before.materials, opened_.materials, kIsCalledSo));
+    if (!has_other_heads && !has_another_stage) return;
+    std::set<std::size_t> selection;
+    for (const std::size_t index : selection_)
+        if (const auto place = fixture_of(index, *before.show, *opened_.show)) selection.insert(*place);
+    put_selection(std::move(selection));
+    look_ = has_another_stage ? carried(look_, before, opened_) : carried(look_, *before.show, *opened_.show);
+    fader_.forget();
+    undo_.clear();
+    show_look();
+}
+
+void AppModel::read_again(std::shared_ptr<const std::string> text) {
+    are_files_others_ = true;
+    change_request([&](ViewRequest& request) { request.text = std::move(text); });
+}
+
 void AppModel::open(const std::string& show) {
     // "tour.mvr" of the working directory gets a folder, in which what lies beside it is found.
     std::error_code code;
     const bool is_bare =
         !std::filesystem::path(show).has_parent_path() && std::filesystem::is_regular_file(show, code);
     const std::string named = is_bare ? "./" + show : show;
-    if (named == request_.show && !open_error_) return;
+    if (named == request_.show && !open_error_ && !is_elsewhere_) return;
     open_error_.reset();
+    is_elsewhere_ = false;
     change_request([&](ViewRequest& request) {
         request.text.reset();
         request.show = named;
@@ -367,6 +381,13 @@ scene::Camera AppModel::seen_camera() const {
     return camera;
 }
 
+scene::Camera AppModel::camera_to_move() const {
+    scene::Camera camera = seen_camera();
+    camera.width = request_.camera.width;
+    camera.height = request_.camera.height;
+    return camera;
+}
+
 void AppModel::cut_to(const scene::Camera& stored) {
     flight_.stop();
     put_camera(stored, {stored.width, stored.height});
@@ -413,22 +434,17 @@ void AppModel::reset_figures() {
 }
 
 void AppModel::travel_to(const scene::Camera& camera, int travel_ms) {
-    flight_.begin({request_.camera, request_.frame}, {camera, request_.frame}, travel_ms);
+    flight_.begin({camera_to_move(), request_.frame}, {camera, request_.frame}, travel_ms);
 }
 
 void AppModel::travel_to_stored(const scene::Camera& stored, int travel_ms) {
     const glm::ivec2 frame(stored.width, stored.height);
     const bool has_frame = request_.frame != glm::ivec2(0);
-    flight_.begin({request_.camera, has_frame ? request_.frame : frame}, {stored, frame}, travel_ms);
+    flight_.begin({camera_to_move(), has_frame ? request_.frame : frame}, {stored, frame}, travel_ms);
 }
 
 void AppModel::look_at(const glm::vec3& centre_m, float radius_m) {
-    scene::Camera camera = request_.camera;
-    if (request_.frame != glm::ivec2(0)) {
-        camera.width = request_.frame.x;
-        camera.height = request_.frame.y;
-    }
-    travel_to(scene::focused(camera, centre_m, radius_m));
+    travel_to(scene::focused(seen_camera(), centre_m, radius_m));
 }
 
 void AppModel::set_exposure(float ev100, bool automatic) {
@@ -474,15 +490,16 @@ void AppModel::show_look() {
 
 void AppModel::put_edit(std::shared_ptr<const std::string> text, scene::Show preview, const Look& look,
                         std::set<std::size_t> selection) {
+    const bool is_same = show() && is_same_rig(*show(), preview);
     if (show()) rig_ = rig_of(preview, *show(), std::move(rig_));
     opened_.show = std::make_shared<const scene::Show>(std::move(preview));
     opened_.is_edit = true;
     put_selection(std::move(selection));
-    change_request([&](ViewRequest& request) {
-        request.text = std::move(text);
-        request.look = look;
-    });
-    fader_.forget(); // it counts fixtures as they were
+    request_.text = std::move(text);
+    if (is_same)
+        fader_.change(look_, look);
+    else
+        fader_.forget(); // it counts fixtures as they were
     look_ = look;
     show_look();
     show_edit();
@@ -514,6 +531,7 @@ void AppModel::select_in_order(std::vector<std::size_t> fixtures) {
 void AppModel::put_selection(std::set<std::size_t> fixtures) {
     const std::size_t count = show() ? show()->fixtures.size() : 0;
     std::erase_if(fixtures, [&](std::size_t index) { return index >= count; });
+    if (fixtures != selection_) ++choices_;
     selection_ = std::move(fixtures);
     std::erase_if(selected_in_order_, [&](std::size_t one) { return !selection_.contains(one); });
     const std::set<std::size_t> known(selected_in_order_.begin(), selected_in_order_.end());
@@ -530,6 +548,7 @@ void AppModel::hover(std::optional<std::size_t> fixture) {
 void AppModel::mark(std::optional<std::size_t> object) {
     if (object == marked_) return;
     marked_ = object;
+    ++choices_;
     Q_EMIT marked_changed();
 }
 

@@ -70,6 +70,8 @@ public:
     // What is seen, as a camera of its own: its size is that of the frame, or of the view where there is
     // none, and it stands where the mover that carries the camera has it now.
     scene::Camera seen_camera() const;
+    // Likewise, with the size of the request: what a hand or a flight goes on from.
+    scene::Camera camera_to_move() const;
     // The show's camera that stands there, by index; nothing: a free one.
     std::optional<std::size_t> stored_camera() const;
     // Nothing happens where it is open or being opened; one that could not be is tried again.
@@ -129,6 +131,10 @@ public:
     // at once as `preview`, until the engine has opened it.
     void put_edit(std::shared_ptr<const std::string> text, scene::Show preview, const Look& look,
                   std::set<std::size_t> selection);
+
+    // The text is the same, and files that the show names are others now: they are read again. What hands
+    // hold stays with the heads and objects that it is on.
+    void read_again(std::shared_ptr<const std::string> text);
 
     // Long work in the background.
     Jobs& jobs() { return jobs_; }
@@ -190,6 +196,7 @@ private:
 
     void read_news();
     void take_opened(Opened opened);
+    void go_on_from(const Opened& before, bool are_files_others);
     void show_edit();
     void put_look(const Look& look);
     void show_look();
@@ -235,6 +242,9 @@ private:
     std::set<std::size_t> selection_;
     std::vector<std::size_t> selected_in_order_;
     std::optional<std::size_t> marked_;
+    std::uint64_t choices_ = 0;     // grows with what is selected or marked
+    bool are_files_others_ = false; // of the text that is asked for (read_again)
+    bool is_elsewhere_ = false;     // what is open is not what the request names
     QUndoStack undo_;
     Jobs jobs_;
 

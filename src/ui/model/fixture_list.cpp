@@ -19,9 +19,8 @@ QString text_of(const scene::PatchedFixture& fixture, int column, bool waits) {
     case FixtureList::name:
         return QString::fromStdString(fixture.name);
     case FixtureList::patch:
-        return fixture.address > 0
-                   ? QString("%1.%2").arg(fixture.universe).arg(fixture.address, 3, 10, QChar('0'))
-                   : translated("Fixtures", "none");
+        return fixture.address > 0 ? address_words(fixture.universe, fixture.address)
+                                   : translated("Fixtures", "none");
     case FixtureList::type:
         if (fixture.type) return QString::fromStdString(fixture.type->name);
         return waits ? translated("Fixtures", "file is being read")
@@ -58,6 +57,10 @@ QVariant order_of(const scene::PatchedFixture& fixture, const FixtureNow* now, i
 }
 
 } // namespace
+
+QString address_words(int universe, int channel) {
+    return QString("%1.%2").arg(universe).arg(channel, 3, 10, QChar('0'));
+}
 
 FixtureList::FixtureList(AppModel& app, QObject* parent) : QAbstractTableModel(parent), app_(app) {
     connect(&app_, &AppModel::opened_show, this, &FixtureList::take_show);

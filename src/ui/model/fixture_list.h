@@ -16,6 +16,9 @@
 
 namespace ghost::ui {
 
+// "1.005", of a channel from 1.
+QString address_words(int universe, int channel);
+
 class FixtureList : public QAbstractTableModel {
     Q_OBJECT
 public:

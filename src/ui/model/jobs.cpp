@@ -197,14 +197,15 @@ void Jobs::end(Job::State state) {
 }
 
 void Jobs::cancel(int number) {
-    for (Job& job : jobs_) {
-        if (job.number != number) continue;
-        if (job.state == Job::State::waits) job.state = Job::State::cancelled;
-        if (job.state == Job::State::runs && process_) {
-            job.is_given_up = true;
-            process_->terminate();
-            patience_.start(kPatience_ms);
-        }
+    const auto job =
+        std::find_if(jobs_.begin(), jobs_.end(), [&](const Job& one) { return one.number == number; });
+    if (job != jobs_.end() && job->state == Job::State::waits) {
+        job->state = Job::State::cancelled;
+        Q_EMIT ended(Job(*job)); // who hears of it may begin another one
+    } else if (job != jobs_.end() && job->state == Job::State::runs && process_) {
+        job->is_given_up = true;
+        process_->terminate();
+        patience_.start(kPatience_ms);
     }
     Q_EMIT changed();
 }

@@ -43,6 +43,10 @@ public:
 
 private:
     void put(const Looks::List& list) {
+        if (const Result<void> may = looks_.check_writable(); !may.ok()) {
+            Q_EMIT looks_.app_.failed(said(may.error().text()));
+            return;
+        }
         if (!looks_.damage_.empty()) {
             Q_EMIT looks_.app_.failed(
                 translated("Notice", "Looks stay as the file has them until this is mended: %1")
@@ -144,8 +148,13 @@ Result<void> Looks::write(const List& looks) {
     return {};
 }
 
+Result<void> Looks::check_writable() const {
+    return may_write ? may_write() : Result<void>();
+}
+
 Result<void> Looks::edit(const QString& what, List after, const std::function<void()>& with_it) {
     if (!app_.show()) return Error{"no show is open", ""};
+    TRY_VOID(check_writable());
     const bool changed_outside = take_changes();
     if (!damage_.empty())
         return Error{"looks cannot be stored before this is mended, for that would lose it: " + damage_, ""};

@@ -24,6 +24,9 @@ class Looks : public QObject {
 public:
     explicit Looks(AppModel& app);
 
+    // Error: the file is not to be written here. None: it is.
+    std::function<Result<void>()> may_write;
+
     const std::vector<scene::StoredLook>& all() const { return looks_; }
     // The one that was stored or recalled last, while nothing was changed by hand since; empty: none.
     std::string current() const;
@@ -61,6 +64,7 @@ private:
     bool take_changes();
     Result<void> put_in(scene::StoredLook look);
     void add_movers(scene::StoredLook& look) const; // those under the hand
+    Result<void> check_writable() const;
     // with_it: what is done in the same step.
     Result<void> edit(const QString& what, List after, const std::function<void()>& with_it = {});
     Result<void> write(const List& looks);

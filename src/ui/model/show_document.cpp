@@ -5,6 +5,7 @@
 #include "disk/user_file.h"
 #include "show_folder/load_show.h"
 #include "ui/language/language.h"
+#include "ui/model/private/carried.h"
 #include "ui/model/private/undo_ids.h"
 
 #include <QLocale>
@@ -36,7 +37,8 @@ ShowDocument::FixtureNames names_back(const scene::Show& from, const scene::Show
         const scene::PatchedFixture& was = to.fixtures[i];
         if (of_from.contains(was.name)) continue;
         const bool is_numbered = from.fixtures.size() == to.fixtures.size();
-        if (is_numbered && !of_to.contains(from.fixtures[i].name) && from.fixtures[i].uuid == was.uuid) {
+        if (is_numbered && !of_to.contains(from.fixtures[i].name) && from.fixtures[i].uuid == was.uuid &&
+            from.fixtures[i].gdtf == was.gdtf) {
             names[from.fixtures[i].name] = was.name;
             continue;
         }
@@ -172,7 +174,8 @@ void ShowDocument::begin_editing() {
 void ShowDocument::notice_loss() {
     if (!was_ours_ || !is_read_only()) return;
     was_ours_ = false;
-    draft_.reset(); // the other window offers it
+    draft_.reset();            // the other window offers it
+    app_.undo_stack().clear(); // a step back would change a text that is the other's
     QString kept;
     if (is_changed()) {
         // The draft is the other window's now.
@@ -214,14 +217,29 @@ Result<void> ShowDocument::why_not_editable() const {
         return Error{"a plot that is opened as it is cannot be edited; make a show of it first (in a script: "
                      "import-plot)",
                      app_.show()->file.string()};
-    if (is_read_only())
-        return Error{"is open in another window: " + hold_->holder() +
-                         "; close it there, or take it over (in a script: take-over)",
-                     file_.string()};
+    TRY_VOID(check_ours());
     if (draft_)
         return Error{"changes of an earlier time wait: take them or drop them first (Edit menu)",
                      file_.string()};
     return {};
+}
+
+Result<void> ShowDocument::check_ours() const {
+    if (!is_read_only()) return {};
+    return Error{"is open in another window: " + hold_->holder() +
+                     "; close it there, or take it over (in a script: take-over)",
+                 file_.string()};
+}
+
+Result<ShowDocument::Outside> ShowDocument::from_outside(std::string text) const {
+    const scene::Show& before = *app_.show();
+    TRY(const scene::Show now, scene::preview_edit(before, text));
+    FixtureNames renamed = names_back(before, now);
+    Look look = carried(app_.look(), before, now, renamed);
+    std::set<std::size_t> selection;
+    for (const std::size_t index : app_.selection())
+        if (const auto place = fixture_of(index, before, now, renamed)) selection.insert(*place);
+    return Outside{{std::move(text), std::move(look), std::move(selection)}, std::move(renamed)};
 }
 
 Result<void> ShowDocument::edit(const QString& what, Edit edit, int kind) {
@@ -313,9 +331,10 @@ void ShowDocument::look_at_file() {
         return;
     }
     if (is_read_only() && !is_changed()) { // it follows the other window
-        if (!scene::preview_edit(*app_.show(), *now).ok()) return;
+        const auto outside_edit = from_outside(*now);
+        if (!outside_edit.ok()) return;
         saved_ = *now;
-        put({*now, app_.look(), app_.selection()});
+        put(outside_edit->edit);
         return;
     }
     changed_outside_ = outside;
@@ -361,12 +380,14 @@ Result<void> ShowDocument::save(bool over) {
                          ": nobody can say whether another program changed it; save yours over "
                          "it (in a script: save over), or save a copy",
                      file_.string()};
-    if (!over && now.ok() && *now != saved_ && *now != text_) {
-        changed_outside_ = true;
-        return Error{
-            "was changed by another program since it was read here: take what the file says, or save yours "
-            "over it (in a script: reload, save over)",
-            file_.string()};
+    const auto is_another = [&] { return now.ok() && *now != saved_ && *now != text_; };
+    if (!over && is_another()) {
+        look_at_file(); // asks what shall be: no watcher hears of what other machines do
+        if (is_another())
+            return Error{
+                "was changed by another program since it was read here: take what the file says, or save "
+                "yours over it (in a script: reload, save over)",
+                file_.string()};
     }
     if (const Result<void> written = write_user_file(file_, text_); !written.ok()) {
         save_failed_ = true;
@@ -406,13 +427,15 @@ Result<void> ShowDocument::reload() {
     if (now == text_) { // perhaps the files that it names are others
         saved_ = std::move(now);
         changed_outside_ = false;
-        put({text_, app_.look(), app_.selection()});
+        read_again();
+        Q_EMIT changed();
         return {};
     }
+    TRY(Outside outside, from_outside(std::move(now)));
     // Before the step, which asks what is saved.
-    std::string before = std::exchange(saved_, now);
+    std::string before = std::exchange(saved_, outside.edit.text);
     const bool was_outside = std::exchange(changed_outside_, false);
-    Result<void> done = edit(translated("Undo", "Reload"), {std::move(now), app_.look(), app_.selection()});
+    Result<void> done = edit_names(translated("Undo", "Reload"), std::move(outside.edit), outside.renamed);
     if (!done.ok()) {
         saved_ = std::move(before); // what cannot be taken must not be written over unasked
         changed_outside_ = was_outside;
@@ -420,11 +443,15 @@ Result<void> ShowDocument::reload() {
     return done;
 }
 
+void ShowDocument::read_again() {
+    app_.read_again(std::make_shared<const std::string>(text_));
+}
+
 Result<void> ShowDocument::take_draft() {
     if (!draft_) return Error{"there are no changes of an earlier time", ""};
-    std::string text = std::move(*draft_);
+    TRY(Outside outside, from_outside(*draft_)); // looks have its names already
     draft_.reset();
-    return edit(translated("Undo", "Take changes"), {std::move(text), app_.look(), app_.selection()});
+    return edit(translated("Undo", "Take changes"), std::move(outside.edit));
 }
 
 Result<void> ShowDocument::take_over() {

@@ -48,6 +48,8 @@ public:
     // found_plot_alone, too, or a draft that waits.
     Result<void> check_editable();
     bool can_edit() const { return why_not_editable().ok(); }
+    // Error: another window has the show, and all that belongs to it is written there.
+    Result<void> check_ours() const;
     // One step. look and selection: as they are with the new text, for indices may move.
     struct Edit {
         std::string text;
@@ -67,8 +69,11 @@ public:
     Result<void> save_copy(const std::filesystem::path& file);
     // The same before that copy is opened: what is not saved here is saved there, and no draft any more.
     Result<void> save_as(const std::filesystem::path& file);
-    // What the file says, as a step that can be undone. Error: it cannot be read; all stays as it was.
+    // What the file says, as a step that can be undone; of what it names, too. Error: it cannot be read; all
+    // stays as it was.
     Result<void> reload();
+    // Files that the show names are others now.
+    void read_again();
     // Writes what is not saved where the next window finds it. Error: nowhere, nor was it saved as a copy.
     Result<void> keep();
     Result<void> take_draft();
@@ -91,6 +96,12 @@ Q_SIGNALS:
 private:
     friend class EditStep;
 
+    // What somebody else wrote: hands and selection are on the same heads, whatever numbers these have there.
+    struct Outside {
+        Edit edit;
+        FixtureNames renamed;
+    };
+
     // The next step's text, with the show that it is.
     struct Prepared {
         std::string text;
@@ -98,6 +109,7 @@ private:
     };
 
     Result<void> why_not_editable() const;
+    Result<Outside> from_outside(std::string text) const;
     Result<bool> prepare(const Edit& edit);
     void push(const QString& what, Edit edit, int kind);
     void read_opened();

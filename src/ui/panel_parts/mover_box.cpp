@@ -5,6 +5,7 @@
 #include "ui/actions/actions.h"
 #include "ui/actions/programmer_actions.h"
 #include "ui/language/language.h"
+#include "ui/model/fixture_list.h"
 
 #include <QHBoxLayout>
 #include <QLabel>
@@ -13,11 +14,11 @@
 namespace ghost::ui {
 namespace {
 
-// "1.101"; "": no channel drives its first axis.
+// "1.005"; "": no channel drives its first axis.
 QString address_of(const scene::Mover& mover) {
     if (mover.axes.empty() || mover.axes.front().levels.empty()) return QString();
     const fixture::Address& first = mover.axes.front().levels.front();
-    return QString("%1.%2").arg(first.universe).arg(first.channel);
+    return address_words(first.universe, first.channel);
 }
 
 } // namespace

@@ -3,6 +3,7 @@
 
 #include "show/show.h"
 #include "ui/language/language.h"
+#include "ui/model/fixture_list.h"
 
 #include <QHBoxLayout>
 #include <QHeaderView>
@@ -118,7 +119,8 @@ void RdmBox::fill_table() {
         const QStringList cells{
             QString::fromStdString(fixture.name),
             QString::fromStdString(head.uid),
-            QString("%1.%2").arg(fixture.universe).arg(fixture.address),
+            fixture.address > 0 ? address_words(fixture.universe, fixture.address)
+                                : translated("Fixtures", "none"),
             fixture.type && mode < fixture.type->modes.size()
                 ? QString::fromStdString(fixture.type->modes[mode].name)
                 : QString(),

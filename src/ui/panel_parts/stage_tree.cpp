@@ -149,7 +149,8 @@ void StageTree::follow_mark() {
 
 void StageTree::fill() {
     const Following following(follows_);
-    const std::optional<std::size_t> chosen = app_.opened().is_edit ? object() : std::nullopt;
+    // What stood in its row may have another number now.
+    const std::optional<std::size_t> chosen = app_.opened().is_edit ? app_.marked() : std::nullopt;
     open_.clear();
     const auto note_open = [&](QTreeWidgetItem* item, const auto& again) -> void {
         if (item->isExpanded()) open_.insert(item->text(0));

@@ -13,6 +13,8 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <array>
+#include <charconv>
 #include <cmath>
 
 namespace ghost::ui {
@@ -34,12 +36,24 @@ constexpr HazerColumn kHazerColumns[] = {
      QT_TRANSLATE_NOOP("Air", "From here on it is as thin as the room")},
 };
 
+// All digits that it has: an edit of one number of a cell writes the others as they stand there.
 QString words(float number) {
-    return QString::number(static_cast<double>(number), 'g', 4);
+    std::array<char, 64> digits;
+    const char* const end = std::to_chars(digits.data(), digits.data() + digits.size(),
+                                          number == 0 ? 0.0f : number, std::chars_format::fixed)
+                                .ptr;
+    return QString::fromLatin1(digits.data(), end - digits.data());
 }
 
 QString words(const glm::vec3& numbers) {
     return words(numbers.x) + " " + words(numbers.y) + " " + words(numbers.z);
+}
+
+// Of a length that is none of anybody's: the show makes it 1.
+QString way_words(const glm::vec3& way) {
+    QStringList numbers;
+    for (int axis = 0; axis < 3; ++axis) numbers << QString::number(static_cast<double>(way[axis]), 'g', 4);
+    return numbers.join(' ');
 }
 
 QString text_of(const scene::Hazer& hazer, int column) {
@@ -47,7 +61,7 @@ QString text_of(const scene::Hazer& hazer, int column) {
     case 0:
         return words(hazer.position_m);
     case 1:
-        return words(hazer.direction);
+        return way_words(hazer.direction);
     case 2:
         return words(hazer.rate);
     case 3:

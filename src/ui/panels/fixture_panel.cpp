@@ -5,7 +5,6 @@
 #include "ui/actions/patch_actions.h"
 #include "ui/actions/programmer_actions.h"
 #include "ui/language/language.h"
-#include "ui/widgets/fixture_table.h"
 #include "ui/widgets/following.h"
 #include "ui/widgets/theme.h"
 
@@ -137,8 +136,11 @@ FixturePanel::FixturePanel(AppModel& app, ShowDocument& document, QWidget* paren
     layout->addLayout(choice);
     layout->addWidget(table_);
     connect(&app_, &AppModel::opened_show, this, [this] {
-        // What was searched in another show would hide most of this one.
-        if (!app_.opened().is_edit && !app_.opened().again) search_->clear();
+        // What was searched, or chosen, in another show would hide most of this one.
+        if (!app_.opened().is_edit && !app_.opened().again) {
+            search_->clear();
+            group_->setCurrentIndex(0);
+        }
         list_groups();
     });
     // Rows of another show are sorted by what its heads do, which comes after it. Later changes move no row:
@@ -283,6 +285,11 @@ void FixturePanel::show_selection() {
 void FixturePanel::take_selection() {
     if (follows_) return;
     std::set<std::size_t> selection;
+    // What is chosen beside the others lets go of none that is searched away.
+    if (table_->adds())
+        for (const std::size_t fixture : app_.selection())
+            if (!sorted_->mapFromSource(list_->index(static_cast<int>(fixture), 0)).isValid())
+                selection.insert(fixture);
     for (const QModelIndex& index : table_->selectionModel()->selectedRows())
         selection.insert(static_cast<std::size_t>(sorted_->mapToSource(index).row()));
     app_.select(std::move(selection));

@@ -7,12 +7,12 @@
 #include "ui/actions/patch_edit.h"
 #include "ui/model/fixture_groups.h"
 #include "ui/model/fixture_list.h"
+#include "ui/widgets/fixture_table.h"
 
 #include <QComboBox>
 #include <QElapsedTimer>
 #include <QLabel>
 #include <QLineEdit>
-#include <QTableView>
 #include <QToolButton>
 #include <QWidget>
 
@@ -23,7 +23,7 @@ class FixturePanel : public QWidget {
 public:
     FixturePanel(AppModel& app, ShowDocument& document, QWidget* parent);
     void find() { search_->setFocus(); }
-    QTableView* table() { return table_; }
+    FixtureTable* table() { return table_; }
     // By index; nothing: the list is out of sight, or has all.
     std::optional<std::set<std::size_t>> listed() const;
 
@@ -45,7 +45,7 @@ private:
     QComboBox* group_;
     QToolButton* dark_;
     std::vector<FixtureGroup> groups_;
-    QTableView* table_;
+    FixtureTable* table_;
     FixtureList* list_;
     FixtureFilter* sorted_;
     QElapsedTimer since_reset_; // of the rows, until lamps are as the show has them

@@ -293,7 +293,7 @@ QString value_words(const scene::Show& show, const MoverHandle& handle, float va
     const auto number = [&](float one) {
         return QString::number(static_cast<double>(one), 'f', axis.is_angle ? 1 : 2);
     };
-    return (axis.is_angle ? translated("Movers", "%1 %2 deg of %3 to %4")
+    return (axis.is_angle ? translated("Movers", "%1 %2° of %3 to %4")
                           : translated("Movers", "%1 %2 m of %3 to %4"))
         .arg(QString::fromStdString(axis.name), number(value), number(axis.low), number(axis.high));
 }

@@ -4,6 +4,7 @@
 #include "show/camera_moves.h"
 #include "show/show.h"
 #include "ui/language/language.h"
+#include "ui/model/fixture_list.h"
 #include "ui/picture/fixture_labels.h"
 #include "ui/widgets/theme.h"
 
@@ -28,9 +29,8 @@ QFont small_font(const QPainter& painter) {
 }
 
 QString address_of(const scene::PatchedFixture& fixture) {
-    return fixture.address > 0
-               ? QString("%1.%2").arg(fixture.universe).arg(fixture.address, 3, 10, QChar('0'))
-               : translated("Picture", "no address");
+    return fixture.address > 0 ? address_words(fixture.universe, fixture.address)
+                               : translated("Picture", "no address");
 }
 
 // Lines that are no longer than a person reads at a glance, but for single long words.

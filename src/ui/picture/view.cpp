@@ -242,7 +242,7 @@ void View::fly() {
     for (const int key : held_) way += way_of(key);
     if (way == glm::vec3(0) || dt_s <= 0) return;
     const bool fast = QGuiApplication::keyboardModifiers() & Qt::ShiftModifier;
-    app_.set_camera(scene::flown(app_.camera(), way * (dt_s * kFly_m_s * (fast ? kFastFly : 1.0f))));
+    app_.set_camera(scene::flown(app_.camera_to_move(), way * (dt_s * kFly_m_s * (fast ? kFastFly : 1.0f))));
 }
 
 } // namespace ghost::ui

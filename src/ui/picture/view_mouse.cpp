@@ -90,7 +90,7 @@ void View::mouseMoveEvent(QMouseEvent* event) {
     if (drag_ == Drag::none || drag_ == Drag::undecided) return;
     drag_at_ = event->position();
     const auto x = static_cast<float>(moved.x()), y = static_cast<float>(moved.y());
-    const scene::Camera& camera = app_.camera();
+    const scene::Camera camera = app_.camera_to_move();
     const auto height = static_cast<float>(std::max(frame_rect(size(), app_.request().frame).height(), 1.0));
     if (drag_ == Drag::orbit)
         app_.set_camera(scene::orbited(camera, kOrbit_rad_px * x, kOrbit_rad_px * y));
@@ -273,6 +273,10 @@ void View::mouseReleaseEvent(QMouseEvent* event) {
 }
 
 void View::mouseDoubleClickEvent(QMouseEvent* event) {
+    if (event->button() != Qt::LeftButton) {
+        mousePressEvent(event); // two quick turns of the camera are no choice
+        return;
+    }
     if (!app_.show()) return;
     if (const auto hit = lamp_at(event->position())) {
         app_.look_at(app_.rig().fixtures[*hit].light_m, kAround_m);
@@ -288,7 +292,7 @@ void View::mouseDoubleClickEvent(QMouseEvent* event) {
 
 void View::wheelEvent(QWheelEvent* event) {
     const float notches = static_cast<float>(event->angleDelta().y()) / 120.0f;
-    app_.set_camera(scene::dollied(app_.camera(), std::pow(0.88f, notches)));
+    app_.set_camera(scene::dollied(app_.camera_to_move(), std::pow(0.88f, notches)));
 }
 
 } // namespace ghost::ui

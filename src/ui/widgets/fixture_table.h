@@ -3,6 +3,7 @@
 // FixtureTable: the table of the fixture list. A double click edits all rows that were selected: its first
 // click alone would have left one of them. Window thread.
 
+#include <QKeyEvent>
 #include <QMouseEvent>
 #include <QResizeEvent>
 #include <QTableView>
@@ -14,8 +15,23 @@ namespace ghost::ui {
 class FixtureTable : public QTableView {
 public:
     using QTableView::QTableView;
+    // Whether a hand chooses beside what was chosen, with Ctrl; while the selection changes.
+    bool adds() const { return adds_; }
 
 protected:
+    bool viewportEvent(QEvent* event) override {
+        if (event->type() == QEvent::MouseButtonPress || event->type() == QEvent::MouseMove ||
+            event->type() == QEvent::MouseButtonRelease)
+            adds_ = static_cast<QMouseEvent*>(event)->modifiers() & Qt::ControlModifier;
+        const bool is_taken = QTableView::viewportEvent(event);
+        adds_ = false;
+        return is_taken;
+    }
+    void keyPressEvent(QKeyEvent* event) override {
+        adds_ = event->key() == Qt::Key_Space && event->modifiers() & Qt::ControlModifier;
+        QTableView::keyPressEvent(event);
+        adds_ = false;
+    }
     void mousePressEvent(QMouseEvent* event) override {
         before_ = selectionModel()->selection();
         QTableView::mousePressEvent(event);
@@ -38,6 +54,7 @@ protected:
 
 private:
     QItemSelection before_; // the first click
+    bool adds_ = false;
 };
 
 } // namespace ghost::ui

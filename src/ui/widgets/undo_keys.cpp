@@ -28,6 +28,12 @@ QWidget* alone(QObject* object) {
     return qobject_cast<const QAbstractItemView*>(around) ? nullptr : number;
 }
 
+// No number has them, and its field would take them all the same.
+bool is_letter(const QKeyEvent& key) {
+    const bool is_plain = (key.modifiers() & ~Qt::ShiftModifier) == Qt::NoModifier;
+    return is_plain && ((key.key() >= Qt::Key_A && key.key() <= Qt::Key_Z) || key.key() == Qt::Key_Space);
+}
+
 } // namespace
 
 bool UndoKeys::eventFilter(QObject* object, QEvent* event) {
@@ -45,9 +51,11 @@ bool UndoKeys::eventFilter(QObject* object, QEvent* event) {
             }
         return false;
     }
-    if (!key.matches(QKeySequence::Undo) && !key.matches(QKeySequence::Redo)) return false;
-    const QLineEdit* const field = field_of(object);
-    return field && !field->isModified(); // nobody overrides the shortcut
+    QLineEdit* const field = field_of(object);
+    if (!field || field->isModified()) return false;
+    const bool is_of_window = key.matches(QKeySequence::Undo) || key.matches(QKeySequence::Redo) ||
+                              (is_letter(key) && alone(field->parentWidget()) != nullptr);
+    return is_of_window; // nobody overrides the shortcut
 }
 
 } // namespace ghost::ui

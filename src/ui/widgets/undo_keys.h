@@ -1,9 +1,9 @@
 #pragma once
 // SPDX-License-Identifier: Apache-2.0
 // UndoKeys: undo and redo are the window's also where a field of one line has the focus (a number, an
-// editable list), which would take them for its own text. It keeps them only while something is typed in it
-// that was not entered. A number that is entered, or stepped by its arrows, gives the keys back. Window
-// thread.
+// editable list), which would take them for its own text, and so are letters and the space bar where that is
+// a number of a panel. It keeps them only while something is typed in it that was not entered. A number that
+// is entered, or stepped by its arrows, gives the keys back. Window thread.
 
 #include <QObject>
 

@@ -71,9 +71,13 @@ void PanelRail::wait_for_show(bool waits) {
     if (std::exchange(waits_, waits) == waits) return;
     if (waits_)
         take_away();
-    else if (!is_narrow_)
+    else if (!is_narrow_ && !window_.isFullScreen())
         bring_back();
     show_where_due();
+}
+
+void PanelRail::leave_full_screen() {
+    if (!is_narrow_ && !waits_) bring_back();
 }
 
 void PanelRail::fit() {

@@ -124,6 +124,9 @@ void SecondDisplay::show_on(QScreen* screen) {
         window_->setGeometry(screen->geometry());
         window_->showFullScreen();
     } else {
+        window_->unsetCursor();
+        window_->setWindowFlag(Qt::FramelessWindowHint, false);
+        window_->setWindowState(window_->windowState() & ~Qt::WindowFullScreen);
         window_->resize(kWindow);
         window_->show();
     }

@@ -109,6 +109,7 @@ Window::Window(Link& link, const WindowOptions& options)
         });
     };
     cues_.complain = actions_.complain;
+    looks_.may_write = [this] { return document_.check_ours(); };
     connect(&app_.undo_stack(), &QUndoStack::undoTextChanged, this, &Window::name_steps);
     connect(&app_.undo_stack(), &QUndoStack::redoTextChanged, this, &Window::name_steps);
     rail_ = new PanelRail(*this);
@@ -198,6 +199,7 @@ Window::Window(Link& link, const WindowOptions& options)
         if (app_.opened().is_edit) return;
         plot_is_new_ = !app_.opened().again && !app_.show()->plot_file.empty();
         rail_->wait_for_show(false);
+        transport_shown_ = true;
         if (!isFullScreen()) transport_->show();
         begin_where_show_says();
         view_->setFocus();

@@ -8,6 +8,7 @@
 #include "show/show.h"
 #include "ui/panels/fixture_panel.h"
 #include "ui/window/private/notice_bar.h"
+#include "ui/window/private/panel_rail.h"
 #include "ui/window/private/shortcut_sheet.h"
 #include "ui/window/private/state_json.h"
 
@@ -70,8 +71,11 @@ void Window::add_window_actions() {
                   [this](const QStringList&) -> Result<void> {
                       if (app_.plot().number == 0)
                           return Error{"no plot came from the network (MVR-xchange)", ""};
-                      app_.change_request(
-                          [&](ViewRequest& request) { request.take_plot = app_.plot().number; });
+                      if (!app_.show() || app_.show()->plot_file.empty())
+                          app_.open(app_.plot().file); // it is no newer version of anything
+                      else
+                          app_.change_request(
+                              [&](ViewRequest& request) { request.take_plot = app_.plot().number; });
                       statusBar()->clearMessage();
                       return {};
                   },
@@ -304,6 +308,7 @@ void Window::set_full_screen(bool full) {
         reach_.look(); // its display may have gone meanwhile
         for (std::size_t i = 0; i < docks_shown_.size(); ++i) docks_[i]->setVisible(docks_shown_[i]);
         for (QDockWidget* dock : in_front_) dock->raise();
+        rail_->leave_full_screen();
         QMetaObject::invokeMethod(
             this, [this] { give_sizes_back(); }, Qt::QueuedConnection);
     }

@@ -3,13 +3,16 @@
 // dark.
 #include "live/engine/rig_news.h"
 
+#include "disk/files.h"
 #include "support/demo_copy.h"
 #include "support/must.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
+#include <memory>
 #include <string>
 
 namespace ghost::app {
@@ -88,6 +91,34 @@ TEST(RigNews, heads_that_are_left_dark_are_dark_in_lists_and_verdicts) {
     EXPECT_EQ(dark.unasked(), session->rig->left_dark());
     EXPECT_FALSE(shining.rig.fixtures.front().is_dark_without_hands);
     EXPECT_TRUE(dark.rig.fixtures.front().is_dark_without_hands);
+}
+
+// What aims a head by hand needs to know which way a mover has turned it.
+TEST(RigNews, a_head_on_a_turntable_is_turned_with_it) {
+    SessionOptions options;
+    options.show = DemoCopy::show();
+    options.text = std::make_shared<const std::string>(
+        *read_text_file(DemoCopy::show() / "show.toml", std::size_t{1} << 20) +
+        "\n[[mover]]\nname = \"Table\"\nkind = \"revolve\"\ncentre_m = [0.0, 2.0, 0.0]\n"
+        "fixtures = [\"Spot 1\"]\n[[mover.axis]]\nrange_deg = [0.0, 360.0]\n");
+    options.width = 64;
+    options.height = 36;
+    options.live = true;
+    options.shadows = false;
+    options.quiet = true;
+    const auto session = must(open_session(options));
+    ASSERT_EQ(session->show->movers.size(), 1u);
+    session->show->motion = fixture::Motion::as_commanded;
+    session->rig->movers().drive(std::map<std::size_t, std::vector<float>>{{0, {90.0f}}});
+    session->rig->step(dmx::Universes{}, 1);
+    const LiveInput input(nullptr);
+    ui::Link link;
+    link.on_news = [] {};
+    RigNews(link).publish(*session, input, session->lit(), {}, 10);
+    const ui::RigNow rig = link.rig.take().value();
+    ASSERT_EQ(session->show->fixtures[0].name, "Spot 1");
+    EXPECT_NEAR(std::abs(rig.fixtures[0].turned[0].y), 1, 1e-4f) << "a quarter about Z";
+    EXPECT_EQ(rig.fixtures[1].turned, glm::mat3(1));
 }
 
 } // namespace

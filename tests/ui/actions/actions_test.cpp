@@ -505,7 +505,7 @@ TEST(Actions, wait_opened_waits_for_the_show_that_was_asked_for) {
 
     for (const char* const line : {"open broken", "wait opened"}) script.add(line);
     wait_ms(100);
-    opened.link.not_opened.put(Error{"is not TOML", "broken/show.toml:3"});
+    opened.link.not_opened.put({Error{"is not TOML", "broken/show.toml:3"}, opened.request().opens});
     opened.link.on_news();
     wait_ms(100);
     ASSERT_EQ(answers.size(), 4u);

@@ -87,6 +87,7 @@ TEST(AppModel, a_show_that_is_made_of_the_plot_that_is_open_keeps_what_hands_hol
             show->fixtures.erase(show->fixtures.begin() + 1); // Lamp 3
             show->fixtures.back().name = "Front 1";           // Lamp 1
             std::swap(opened.objects[0], opened.objects[1]);
+            std::swap(opened.objects[0].instance, opened.objects[1].instance);
         }
         if (is_plot) show->file = show->plot_file = "tour.mvr";
         opened.show = show;
@@ -137,6 +138,184 @@ TEST(AppModel, a_slider_is_one_step_and_different_things_are_two) {
     EXPECT_FALSE(bench.app.look().fixtures.at(0).pan_deg);
     bench.app.undo_stack().undo();
     EXPECT_TRUE(bench.app.look().is_empty());
+}
+
+TEST(AppModel, a_slider_that_goes_on_for_something_else_is_another_step) {
+    Bench bench;
+    bench.open();
+    const auto set_intensity = [&](float intensity) {
+        change_selected(bench.app, "intensity", ProgrammerStep::intensity,
+                        [&](fixture::Programmer& programmer) { programmer.intensity = intensity; });
+    };
+    bench.app.select({0});
+    set_intensity(0.5f);
+    set_intensity(0.8f);
+    bench.app.select({1});
+    set_intensity(0.6f);
+    set_intensity(0.7f);
+    EXPECT_EQ(bench.app.undo_stack().count(), 2);
+    bench.app.undo_stack().undo();
+    EXPECT_FALSE(bench.app.look().fixtures.contains(1));
+    EXPECT_EQ(bench.app.look().fixtures.at(0).intensity, 0.8f) << "that of another head stays";
+    const auto set_scene = [&](const QString& text, std::optional<float> SceneLook::*value, float number) {
+        change_scene(bench.app, text, ProgrammerStep::scene,
+                     [&](SceneLook& scene) { scene.*value = number; });
+    };
+    set_scene("smoke", &SceneLook::smoke, 2);
+    set_scene("smoke", &SceneLook::smoke, 3);
+    set_scene("even light", &SceneLook::ambient_lux, 5);
+    EXPECT_EQ(bench.app.undo_stack().count(), 3);
+    bench.app.undo_stack().undo();
+    EXPECT_EQ(bench.app.look().scene.smoke, 3.0f) << "the even light alone";
+    const auto set_surface = [&](std::size_t object, float specular) {
+        bench.app.mark(object);
+        Look look = bench.app.look();
+        look.surfaces[object].specular = specular;
+        bench.app.set_look(std::move(look), "specular", static_cast<int>(ProgrammerStep::surface));
+    };
+    set_surface(0, 0.25f);
+    set_surface(1, 0.75f);
+    bench.app.undo_stack().undo();
+    EXPECT_EQ(bench.app.look().surfaces.at(0).specular, 0.25f) << "that of the other object";
+}
+
+TEST(AppModel, a_fade_goes_on_through_an_edit_that_leaves_the_heads_as_they_are) {
+    Bench bench;
+    bench.open();
+    bench.app.select({0});
+    Look look;
+    look.fixtures[0].intensity = 1.0f;
+    bench.app.fade_to(look, "look", 60);
+    ASSERT_TRUE(bench.app.fades());
+    scene::Show with_note = *bench.app.show();
+    with_note.cues.emplace_back().name = "Verse";
+    const auto edit = [&](const scene::Show& show, const Look& now) {
+        bench.app.put_edit(std::make_shared<const std::string>("text"), show, now, {0});
+    };
+    float most = 0;
+    QObject::connect(&bench.app, &AppModel::request_changed, [&] {
+        const auto found = bench.app.request().look.fixtures.find(0);
+        if (found != bench.app.request().look.fixtures.end())
+            most = std::max(most, found->second.intensity.value_or(0));
+    });
+    edit(with_note, bench.app.look());
+    EXPECT_TRUE(bench.app.fades());
+    EXPECT_LT(most, 0.5f) << "nor is its end asked for in between";
+    EXPECT_EQ(bench.app.look(), look);
+    scene::Show with_one_less = with_note;
+    with_one_less.fixtures.pop_back();
+    edit(with_one_less, bench.app.look());
+    EXPECT_FALSE(bench.app.fades());
+    EXPECT_EQ(bench.app.request().look.fixtures.at(0).intensity, 1.0f);
+}
+
+// A plot's next version beside the show, and any file that it names.
+TEST(AppModel, files_that_are_others_are_read_again_and_hands_stay_on_their_heads) {
+    Bench bench;
+    bench.open();
+    Look look;
+    look.fixtures[2].intensity = 0.5f;
+    look.solo = {2};
+    look.shown[1] = false;
+    look.surfaces[1].specular = 1.0f;
+    bench.app.set_look(look, "by hand");
+    bench.app.select({2});
+    bench.app.mark(1);
+    const auto text = std::make_shared<const std::string>("the same");
+    const std::uint64_t opens = bench.app.request().opens;
+    bench.app.read_again(text);
+    EXPECT_EQ(bench.app.request().text, text);
+    EXPECT_EQ(bench.app.request().opens, opens) << "camera and recording stay";
+    Opened next = four_lamps();
+    auto show = std::make_shared<scene::Show>(*next.show);
+    scene::PatchedFixture added;
+    added.name = "Before all of them";
+    show->fixtures.insert(show->fixtures.begin(), added);
+    next.show = show;
+    next.objects = {{"New", 0, 0}, {"Floor", 1, 1}, {"Wall", 2, 2}};
+    next.materials = {{}, next.materials[0], next.materials[1]};
+    next.is_edit = true;
+    next.text = text;
+    bench.link.opened.put(std::move(next));
+    bench.link.on_news();
+    settle();
+    Look now;
+    now.fixtures[3].intensity = 0.5f;
+    now.solo = {3};
+    now.shown[2] = false;
+    now.surfaces[2].specular = 1.0f;
+    EXPECT_EQ(bench.app.look(), now);
+    EXPECT_EQ(bench.app.request().look.fixtures.at(3).intensity, 0.5f);
+    EXPECT_EQ(bench.app.selection(), std::set<std::size_t>{3});
+    EXPECT_EQ(bench.app.marked(), 2u);
+    EXPECT_FALSE(bench.app.undo_stack().canUndo()) << "steps count the heads as they were";
+}
+
+// An object keeps its mark by name: number 1 of another model is another thing.
+TEST(AppModel, a_chosen_object_is_chosen_in_another_stage_where_that_has_it) {
+    Bench bench;
+    bench.open();
+    bench.app.mark(1);
+    const auto take = [&](const std::vector<Object>& objects) {
+        Opened next = bench.app.opened();
+        next.objects = objects;
+        next.is_edit = true;
+        bench.link.opened.put(std::move(next));
+        bench.link.on_news();
+        settle();
+    };
+    take({{"Wall", 0, 0}, {"Floor", 1, 1}});
+    EXPECT_EQ(bench.app.marked(), 0u);
+    take({{"Curtain", 0, 0}, {"Sofa", 1, 1}});
+    EXPECT_EQ(bench.app.marked(), std::nullopt);
+}
+
+TEST(AppModel, a_show_that_fails_says_nothing_of_the_one_that_is_asked_for_now) {
+    Bench bench;
+    bench.open();
+    int not_opened = 0;
+    QStringList failures;
+    QObject::connect(&bench.app, &AppModel::not_opened, [&] { ++not_opened; });
+    QObject::connect(&bench.app, &AppModel::failed, [&](const QString& words) { failures << words; });
+    const auto fail = [&](std::uint64_t opens) {
+        bench.link.not_opened.put({Error{"is not TOML", "broken.toml"}, opens});
+        bench.link.on_news();
+        settle();
+    };
+    bench.app.open("broken.toml");
+    const std::uint64_t broken = bench.app.request().opens;
+    bench.app.open("tour");
+    fail(broken);
+    EXPECT_EQ(failures, QStringList{"broken.toml: is not TOML"});
+    EXPECT_EQ(not_opened, 0);
+    EXPECT_TRUE(bench.app.is_opening());
+    EXPECT_FALSE(bench.app.open_error());
+    fail(bench.app.request().opens);
+    EXPECT_EQ(not_opened, 1);
+    EXPECT_FALSE(bench.app.is_opening());
+}
+
+TEST(AppModel, what_a_received_plot_took_the_place_of_can_be_opened_again) {
+    Bench bench;
+    bench.app.open("venue.mvr");
+    const auto put = [&](const char* file, bool again) {
+        Opened opened = four_lamps();
+        auto show = std::make_shared<scene::Show>(*opened.show);
+        show->file = show->plot_file = file;
+        opened.show = show;
+        opened.again = again;
+        opened.opens = bench.app.request().opens;
+        bench.link.opened.put(std::move(opened));
+        bench.link.on_news();
+        settle();
+    };
+    put("venue.mvr", false);
+    const std::uint64_t opens = bench.app.request().opens;
+    bench.app.open("venue.mvr");
+    EXPECT_EQ(bench.app.request().opens, opens) << "it is open";
+    put("inbox/tour.mvr", true);
+    bench.app.open("venue.mvr");
+    EXPECT_EQ(bench.app.request().opens, opens + 1);
 }
 
 TEST(AppModel, releasing_leaves_nothing_behind) {

@@ -118,6 +118,9 @@ TEST(Jobs, cancelling_ends_what_runs_and_what_waits) {
     shop.jobs->cancel(first); // twice does no harm
     shop.wait();
     for (const Job& job : shop.jobs->all()) EXPECT_EQ(job.state, Job::State::cancelled);
+    ASSERT_EQ(shop.ended.size(), 2u) << "also of the one that had not begun";
+    EXPECT_EQ(shop.ended[0].title, "Second");
+    EXPECT_EQ(shop.ended[0].state, Job::State::cancelled);
     shop.jobs->forget_finished();
     EXPECT_TRUE(shop.jobs->all().empty());
 }

@@ -5,6 +5,7 @@
 #include "image/colour.h"
 #include "ui/panels/fixture_panel.h"
 
+#include <QComboBox>
 #include <QKeyEvent>
 #include <QLineEdit>
 #include <QMouseEvent>
@@ -47,6 +48,52 @@ TEST(FixturePanel, enter_in_the_search_selects_what_it_found) {
     search->setText("017");
     Q_EMIT search->returnPressed();
     EXPECT_EQ(desk.app.selection(), (std::set<std::size_t>{1}));
+}
+
+TEST(FixturePanel, what_is_chosen_with_ctrl_comes_beside_what_is_searched_away) {
+    Desk desk;
+    FixturePanel panel(desk.app, desk.document, nullptr);
+    desk.open();
+    panel.resize(600, 300);
+    panel.show();
+    settle();
+    desk.app.select({0, 2});
+    panel.findChild<QLineEdit*>()->setText("Lamp 2");
+    settle();
+    auto* table = panel.findChild<QTableView*>();
+    ASSERT_EQ(table->model()->rowCount(), 1);
+    const auto click = [&](Qt::KeyboardModifiers keys) {
+        const QPointF at = table->visualRect(table->model()->index(0, FixtureList::name)).center();
+        for (const auto& [type, held] :
+             {std::pair{QEvent::MouseButtonPress, Qt::MouseButtons(Qt::LeftButton)},
+              {QEvent::MouseButtonRelease, Qt::MouseButtons(Qt::NoButton)}}) {
+            QMouseEvent event(type, at, table->viewport()->mapToGlobal(at), Qt::LeftButton, held, keys);
+            QCoreApplication::sendEvent(table->viewport(), &event);
+        }
+        settle();
+    };
+    click(Qt::ControlModifier);
+    EXPECT_EQ(desk.app.selection(), (std::set<std::size_t>{0, 1, 2}));
+    click(Qt::ControlModifier);
+    EXPECT_EQ(desk.app.selection(), (std::set<std::size_t>{0, 2})) << "and goes alone";
+    click(Qt::NoModifier);
+    EXPECT_EQ(desk.app.selection(), std::set<std::size_t>{1}) << "a plain click is a new choice";
+}
+
+TEST(FixturePanel, a_group_that_was_chosen_is_not_in_another_show) {
+    Desk desk;
+    FixturePanel panel(desk.app, desk.document, nullptr);
+    desk.open();
+    auto* const groups = panel.findChild<QComboBox*>();
+    ASSERT_GT(groups->count(), 1);
+    groups->setCurrentIndex(1);
+    Q_EMIT groups->activated(1);
+    desk.app.select({0});
+    ASSERT_TRUE(desk.edit.set_address({2, 101}).ok());
+    desk.follow();
+    EXPECT_EQ(groups->currentIndex(), 1) << "an edit is no other show";
+    desk.open();
+    EXPECT_EQ(groups->currentIndex(), 0);
 }
 
 // What heads do comes after the show, and from a show that is opened again all of it anew.

@@ -187,6 +187,29 @@ TEST(View, drags_and_the_wheel_move_the_camera) {
     EXPECT_TRUE(app.selection().empty());
 }
 
+// Two quick clicks that turn the camera or bring up a menu are no wish to go anywhere.
+TEST(View, a_double_click_of_another_button_than_the_left_chooses_nothing) {
+    Watched watched;
+    AppModel& app = watched.bench.app;
+    for (const Qt::MouseButton button : {Qt::RightButton, Qt::MiddleButton}) {
+        for (const QPointF& at : {watched.lamp(1), QPointF(5, 175)}) {
+            const std::uint64_t picks = app.request().pick.number;
+            watched.mouse(QEvent::MouseButtonPress, at, button);
+            watched.mouse(QEvent::MouseButtonRelease, at, button);
+            watched.mouse(QEvent::MouseButtonDblClick, at, button);
+            EXPECT_FALSE(app.travels());
+            EXPECT_EQ(app.request().pick.number, picks);
+            const scene::Camera before = app.camera();
+            watched.mouse(QEvent::MouseMove, at + QPointF(20, 0), button);
+            EXPECT_NE(app.camera().target_m, before.target_m) << "and its second press drags";
+            watched.mouse(QEvent::MouseButtonRelease, at + QPointF(20, 0), button);
+            app.set_camera(before);
+        }
+    }
+    watched.mouse(QEvent::MouseButtonDblClick, watched.lamp(1), Qt::LeftButton);
+    EXPECT_TRUE(app.travels());
+}
+
 TEST(View, a_smaller_picture_fills_the_window) {
     Watched watched;
     scene::Camera coarse = watched.bench.app.camera();

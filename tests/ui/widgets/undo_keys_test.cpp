@@ -80,6 +80,28 @@ TEST(UndoKeys, what_is_typed_and_not_entered_is_undone_in_its_field) {
     EXPECT_FALSE(keeps_undo(number));
 }
 
+// Who clicked an arrow has its field under the keys, and typed nothing there.
+TEST(UndoKeys, letters_are_the_windows_where_a_number_has_the_keys_and_is_not_being_typed) {
+    UndoKeys keys;
+    qApp->installEventFilter(&keys);
+    QDoubleSpinBox number;
+    QLineEdit text;
+    QComboBox list;
+    list.setEditable(true);
+    for (const int key : {Qt::Key_B, Qt::Key_K, Qt::Key_R, Qt::Key_Space}) {
+        EXPECT_FALSE(keeps(number, key, Qt::NoModifier)) << key;
+        EXPECT_FALSE(keeps(number, key, Qt::ShiftModifier)) << key;
+        EXPECT_TRUE(keeps(text, key, Qt::NoModifier)) << "a text has letters";
+        EXPECT_TRUE(keeps(list, key, Qt::NoModifier)) << "so has a list that is typed in";
+    }
+    EXPECT_TRUE(keeps(number, Qt::Key_7, Qt::NoModifier));
+    EXPECT_TRUE(keeps(number, Qt::Key_Minus, Qt::NoModifier));
+    type(number, Qt::Key_7, "7");
+    EXPECT_TRUE(keeps(number, Qt::Key_K, Qt::NoModifier)) << "it is being typed";
+    type(number, Qt::Key_Return);
+    EXPECT_FALSE(keeps(number, Qt::Key_K, Qt::NoModifier));
+}
+
 // K is the work light's again, and letters fly.
 TEST(UndoKeys, a_number_that_is_entered_gives_the_keys_back_to_the_picture) {
     Link link;

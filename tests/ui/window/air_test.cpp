@@ -106,6 +106,11 @@ TEST(Air, the_panel_shows_the_show_and_its_cells_edit_it) {
     EXPECT_EQ(table->item(0, 0)->text(), "1 2 0.5");
     table->item(0, 0)->setText("4 5 0");
     EXPECT_EQ(air.show().hazers[0].position_m, glm::vec3(4, 5, 0));
+    ASSERT_EQ(air.complaint("hazer 1 place 123.456 5 0.5"), "");
+    EXPECT_EQ(table->item(0, 0)->text(), "123.456 5 0.5") << "all digits";
+    table->item(0, 0)->setText("123.456 5 0");
+    EXPECT_NE(air.document.text().find("position_m = [123.456, 5, 0]"), std::string::npos)
+        << air.document.text();
     table->item(0, 2)->setText("much");
     EXPECT_NE(said, "");
     EXPECT_EQ(table->item(0, 2)->text(), "3") << "what it is comes back";

@@ -149,6 +149,37 @@ TEST(Camera, those_that_were_made_for_a_show_are_not_its_own) {
         EXPECT_NE(in.error_of(line).find("is made from where the fixtures hang"), std::string::npos) << line;
 }
 
+TEST(Camera, the_first_that_is_kept_leaves_those_that_were_made) {
+    Cameras in("");
+    ASSERT_EQ(in.error_of("keep-camera Balcony"), "");
+    EXPECT_EQ(in.names(), (Names{"front", "side", "Balcony"}));
+    EXPECT_EQ(in.error_of("camera-rename side Wing"), "") << "they are its own now";
+    EXPECT_EQ(in.window.app().undo_stack().count(), 2);
+    ASSERT_EQ(in.error_of("undo"), "");
+    ASSERT_EQ(in.error_of("undo"), "");
+    EXPECT_EQ(in.saved().find("[[camera]]"), std::string::npos);
+}
+
+TEST(Exposure, keys_go_on_from_what_the_picture_has_found) {
+    Cameras in;
+    AppModel& app = in.window.app();
+    Picture picture;
+    picture.image = std::make_shared<image::Image8>(16, 9, 4);
+    picture.camera = app.camera();
+    picture.ev100 = 1.5f;
+    for (const auto& [key, ev100] : {std::pair{"brighter", 1.0f}, {"darker", 2.0f}}) {
+        app.set_exposure(6, true);
+        in.link.picture.put(Picture(picture));
+        in.link.on_news();
+        settle();
+        ASSERT_EQ(in.error_of(key), "");
+        EXPECT_EQ(app.camera().ev100, ev100) << key;
+        EXPECT_FALSE(app.camera().auto_exposure);
+    }
+    ASSERT_EQ(in.error_of("brighter"), "");
+    EXPECT_EQ(app.camera().ev100, 1.5f) << "by hand from what the hand has";
+}
+
 TEST(Camera, the_strip_renames_and_removes) {
     Cameras in;
     ASSERT_EQ(in.error_of("camera-strip on"), "");

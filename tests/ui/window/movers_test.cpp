@@ -83,7 +83,7 @@ TEST(Movers, the_address_is_set_by_name_and_in_the_panel) {
     desk.answer(desk.document.text(), true);
     auto* const address = box.findChild<QLineEdit*>();
     ASSERT_NE(address, nullptr);
-    EXPECT_EQ(address->text(), "1.49");
+    EXPECT_EQ(address->text(), "1.049") << "as lists have it";
     address->setText("2.101");
     Q_EMIT address->editingFinished();
     EXPECT_EQ(desk.app.show()->movers[0].axes[1].levels[0].universe, 2);
@@ -177,6 +177,48 @@ TEST(Movers, a_handle_drags_its_hoist_along_its_way_and_stops_at_the_end_stop) {
     stage.drag(stage.at({-2, 0, 4}), stage.at({-2, 0, 3}), Qt::LeftButton);
     EXPECT_TRUE(stage.by_hand().empty()) << "what is not seen is not dragged";
     EXPECT_FALSE(before.position_m == stage.bench.app.camera().position_m) << "the camera is";
+}
+
+TEST(Movers, words_of_a_turn_have_the_sign_of_degrees) {
+    scene::Show show;
+    scene::MoverAxis& turn = show.movers.emplace_back().axes.emplace_back();
+    turn.name = "turn";
+    turn.is_angle = true;
+    turn.low = -90;
+    turn.high = 180;
+    EXPECT_EQ(value_words(show, {0, 0}, 30), QString::fromUtf8("turn 30.0\u00b0 of -90.0 to 180.0"));
+}
+
+TEST(Movers, a_camera_on_one_goes_on_from_where_it_is_carried_to) {
+    Flying stage;
+    AppModel& app = stage.bench.app;
+    scene::Camera stored = app.show()->cameras.front();
+    stored.mover = 0;
+    scene::Camera carried = stored; // three metres up
+    carried.position_m.z += 3;
+    carried.target_m.z += 3;
+    carried.width = 320;
+    carried.height = 180;
+    const auto go_there = [&] {
+        app.cut_to(stored);
+        stage.bench.show_picture(carried);
+    };
+    go_there();
+    stage.drag({20, 160}, {60, 160}, Qt::LeftButton);
+    EXPECT_NEAR(glm::distance(app.camera().target_m, carried.target_m), 0, 1e-4f) << "around what is seen";
+    EXPECT_NEAR(app.camera().position_m.z, carried.position_m.z, 1e-4f);
+    EXPECT_EQ(app.camera().width, 320);
+    go_there();
+    QWidget widget;
+    Actions actions(widget);
+    add_camera_actions(actions, app);
+    ASSERT_TRUE(actions.run("fly 1 0 0").ok());
+    EXPECT_NEAR(app.camera().position_m.x, carried.position_m.x + 1, 1e-4f);
+    EXPECT_NEAR(app.camera().position_m.z, carried.position_m.z, 1e-4f);
+    go_there();
+    app.travel_to(app.show()->cameras[1], 60'000);
+    wait_ms(60);
+    EXPECT_NEAR(app.camera().position_m.z, carried.position_m.z, 0.1f) << "so does a flight";
 }
 
 TEST(Movers, a_ghost_is_where_the_truss_goes_until_it_is_there) {

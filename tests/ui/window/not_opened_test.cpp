@@ -28,7 +28,7 @@ struct Failing {
     }
     void fail(const Error& error) {
         window.app().open(error.where);
-        link.not_opened.put(error);
+        link.not_opened.put({error, window.app().request().opens});
         link.on_news();
         settle();
     }

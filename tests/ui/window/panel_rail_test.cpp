@@ -166,6 +166,35 @@ TEST(PanelRail, full_screen_is_without_it_and_gives_it_back) {
     EXPECT_EQ(in.panels(), QStringList{"looks"});
 }
 
+TEST(FullScreen, a_show_that_opens_in_it_has_panels_and_transport_afterwards) {
+    Link link;
+    Window window(link, {.remembers = false, .width = 1366, .height = 768});
+    window.show();
+    settle();
+    const auto panels = [&] {
+        QStringList names;
+        for (const QDockWidget* const one : window.findChildren<QDockWidget*>())
+            if (one->isVisible() && !one->visibleRegion().isEmpty()) names << one->objectName();
+        names.sort();
+        return names;
+    };
+    const auto run = [&](const QString& line) {
+        EXPECT_TRUE(window.actions().run(line).ok());
+        settle();
+    };
+    const QToolBar* const transport = window.findChild<QToolBar*>("transport");
+    run("full-screen on");
+    link.opened.put(four_lamps());
+    link.rig.put(four_lit());
+    link.on_news();
+    settle();
+    EXPECT_EQ(panels(), QStringList()) << "the picture alone";
+    EXPECT_FALSE(transport->isVisible());
+    run("full-screen off");
+    EXPECT_EQ(panels(), (QStringList{"fixtures", "programmer"}));
+    EXPECT_TRUE(transport->isVisible());
+}
+
 TEST(FullScreen, esc_leaves_it_when_there_is_nothing_else_to_let_go_of) {
     Sized in({1366, 768});
     in.run("select *");

@@ -56,6 +56,24 @@ TEST(Aim, every_head_points_at_the_place) {
     EXPECT_TRUE(heads.app.look().fixtures.empty()) << "one step";
 }
 
+TEST(Aim, a_head_that_a_mover_has_turned_points_there_all_the_same) {
+    Heads heads;
+    RigNow rig = four_lit();
+    const glm::mat3 quarter(glm::vec3(0, 1, 0), glm::vec3(-1, 0, 0), glm::vec3(0, 0, 1)); // about Z
+    rig.fixtures[0].turned = quarter;
+    heads.link.rig.put(rig);
+    heads.link.on_news();
+    settle();
+    heads.app.select({0, 1});
+    const glm::vec3 at_m(1, 2.5f, 0.5f);
+    ASSERT_TRUE(aim_selected(heads.app, at_m).ok());
+    const auto way = [&](std::size_t index) {
+        return glm::normalize(at_m - heads.app.rig().fixtures[index].light_m);
+    };
+    EXPECT_GT(glm::dot(quarter * heads.direction(0), way(0)), 0.99999f);
+    EXPECT_GT(glm::dot(heads.direction(1), way(1)), 0.99999f);
+}
+
 TEST(Aim, a_spread_gives_each_its_own_place_in_their_order) {
     Heads heads;
     heads.app.select({0, 1, 2});

@@ -120,7 +120,7 @@ TEST(RdmBox, says_what_desks_know) {
     ASSERT_TRUE(table->isVisible());
     ASSERT_EQ(table->rowCount(), 3);
     EXPECT_EQ(table->item(0, 0)->text(), "Lamp 1");
-    EXPECT_EQ(table->item(0, 2)->text(), "1.1");
+    EXPECT_EQ(table->item(0, 2)->text(), "1.001");
     EXPECT_EQ(table->item(0, 4)->text(), "identifies itself");
     EXPECT_EQ(table->item(1, 4)->text(), "is found");
     EXPECT_EQ(table->item(2, 4)->text(), "waits");

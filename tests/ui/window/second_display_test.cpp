@@ -70,6 +70,21 @@ TEST(SecondDisplay, an_unplugged_display_takes_the_window_along_and_brings_it_ba
     EXPECT_FALSE(displayed.display.waits());
 }
 
+TEST(SecondDisplay, a_window_of_its_own_is_one_also_after_a_display) {
+    Displayed displayed;
+    ASSERT_TRUE(displayed.display.open("1", nullptr).ok());
+    ASSERT_TRUE(displayed.window()->isFullScreen());
+    ASSERT_TRUE(displayed.display.open("window", nullptr).ok());
+    settle();
+    ASSERT_TRUE(displayed.window());
+    EXPECT_TRUE(displayed.window()->isVisible());
+    EXPECT_FALSE(displayed.window()->isFullScreen());
+    EXPECT_FALSE(displayed.window()->windowFlags() & Qt::FramelessWindowHint);
+    EXPECT_NE(displayed.window()->cursor().shape(), Qt::BlankCursor);
+    EXPECT_EQ(displayed.window()->size(), QSize(960, 540));
+    EXPECT_EQ(displayed.display.words(), "a window of its own");
+}
+
 TEST(SecondDisplay, without_a_name_it_is_the_one_where_the_window_is_not) {
     if (!windows_have_the_pixels_of_their_screen()) GTEST_SKIP() << kOnePixel;
     Displayed displayed;

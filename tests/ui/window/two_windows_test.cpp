@@ -3,6 +3,8 @@
 // And what saving does where the show file is a link, or cannot be read.
 #include "support/test_desk.h"
 
+#include "ui/model/looks.h"
+
 #include <QDir>
 
 #include <fstream>
@@ -83,6 +85,43 @@ TEST(TwoWindows, who_is_taken_over_keeps_what_it_had_not_saved) {
     EXPECT_EQ(first.document.text(), kept_aside(first)[0]) << "it stays in sight";
     QTemporaryDir elsewhere;
     EXPECT_TRUE(first.document.save_copy(fs::path(elsewhere.path().toStdString()) / "mine.toml").ok());
+}
+
+TEST(TwoWindows, who_is_taken_over_steps_back_into_nothing_and_writes_no_looks) {
+    QTemporaryDir place;
+    Desk first(place.path().toStdString()), second(place.path().toStdString());
+    Looks looks(first.app);
+    looks.may_write = [&] { return first.document.check_ours(); };
+    QStringList said;
+    QObject::connect(&first.app, &AppModel::failed, [&](const QString& words) { said << words; });
+    first.open();
+    rename_first(first, "Mine");
+    Look look;
+    look.fixtures[0].intensity = 0.5f;
+    first.app.set_look(look, "by hand");
+    ASSERT_TRUE(looks.store("Mine").ok());
+    second.open();
+    ASSERT_TRUE(second.document.take_over().ok());
+    wait_ms(kUntilSeen_ms);
+    ASSERT_TRUE(first.document.is_read_only());
+    EXPECT_FALSE(first.app.undo_stack().canUndo());
+    const fs::path file = fs::path(first.folder) / "looks.toml";
+    const std::string before = *read_text_file(file, 1 << 20);
+    const Result<void> stored = looks.store("More");
+    ASSERT_FALSE(stored.ok());
+    EXPECT_NE(stored.error().text().find("is open in another window"), std::string::npos);
+    EXPECT_FALSE(looks.rename("Mine", "Other").ok());
+    EXPECT_FALSE(looks.remove("Mine").ok());
+    EXPECT_TRUE(looks.recall("Mine", 0).ok()) << "which writes nothing";
+    EXPECT_EQ(*read_text_file(file, 1 << 20), before);
+    // Of what the other one stores it shows each step, and takes none back.
+    ASSERT_TRUE(write_file_atomic(file, std::string("[[look]]\nname = \"Theirs\"\n")).ok());
+    for (int i = 0; i < 200 && looks.all()[0].name != "Theirs"; ++i) wait_ms(25);
+    ASSERT_EQ(looks.all()[0].name, "Theirs");
+    said.clear();
+    first.app.undo_stack().undo();
+    EXPECT_NE(read_text_file(file, 1 << 20)->find("Theirs"), std::string::npos);
+    EXPECT_TRUE(said.join(' ').contains("is open in another window")) << said.join(' ').toStdString();
 }
 
 TEST(TwoWindows, who_reads_follows_and_edits_when_the_other_one_closed) {

@@ -23,6 +23,8 @@ public:
     // Of a panel that was just opened: as much room as it needs, the picture keeps more. Once for each.
     void make_room(QDockWidget& panel);
     void wait_for_show(bool waits);
+    // What waited for a show that was opened in full screen comes back.
+    void leave_full_screen();
     // After the window was laid out or became another one.
     void fit();
     // For good, as they belong into a layout that is kept; a window that closes.
