@@ -90,6 +90,40 @@ TEST(XchangePeer, answers_that_nobody_reads_have_an_end) {
     EXPECT_LT(most, 5u << 20);
 }
 
+// Somebody who reads as fast as he asks, and never all of it.
+TEST(XchangePeer, what_was_sent_is_not_kept) {
+    const auto listener = dmx::TcpListener::open(0x7F000001, 0);
+    ASSERT_TRUE(listener.ok());
+    auto visitor = dmx::TcpStream::connect(dmx::IpAddress(0x7F000001), (*listener)->port());
+    ASSERT_TRUE(visitor.ok());
+    std::unique_ptr<dmx::TcpStream> stream;
+    for (int k = 0; k < 10'000 && !(stream = (*listener)->accept()); ++k) std::this_thread::sleep_for(1ms);
+    ASSERT_TRUE(stream);
+    XchangePeer peer(std::move(stream), 0);
+    scene::XchangeMessage answer;
+    answer.type = "MVR_JOIN_RET";
+    answer.commits.resize(200);
+    for (scene::XchangeCommit& commit : answer.commits) commit.comment = std::string(200, 'x');
+    const XchangePeer::Sink nobody{[](const scene::XchangeMessage&) {},
+                                   [](Bytes, bool) -> Result<void> { return {}; }};
+    constexpr std::size_t kWaits = 2u << 20, kRead = 96u << 20, kMostKept = 12u << 20;
+    std::size_t read = 0, most = 0;
+    for (int round = 0; round < 100'000 && read < kRead; ++round) {
+        while (peer.waiting_bytes() < kWaits) peer.say(answer);
+        const Result<void> turned = peer.turn(0, nobody);
+        ASSERT_TRUE(turned.ok()) << turned.error().text();
+        most = std::max(most, peer.memory_bytes());
+        for (int k = 0; k < 8; ++k) {
+            const auto bytes = (*visitor)->read();
+            ASSERT_TRUE(bytes.has_value());
+            if (bytes->empty()) break;
+            read += bytes->size();
+        }
+    }
+    EXPECT_GE(read, kRead);
+    EXPECT_LT(most, kMostKept);
+}
+
 TEST(XchangeStations, plots_of_ever_new_numbers_are_counted) {
     const Folder folder;
     std::atomic<int> requests{0};
