@@ -330,12 +330,17 @@ std::vector<const toml::table*> TableReader::tables(const std::string& key, std:
     return result;
 }
 
+std::string TableReader::did_you_mean(std::string_view word, std::span<const std::string> candidates) {
+    return report_.suggestions.did_you_mean(word, candidates);
+}
+
 void TableReader::finish() {
     for (const auto& [key, node] : table_) {
         const std::string name(key.str());
         if (std::find(known_.begin(), known_.end(), name) != known_.end()) continue;
         std::string text =
-            section_ + " " + kUnknownKey + " '" + name.substr(0, 80) + "'" + did_you_mean(name, known_);
+            section_ + " " + kUnknownKey + " '" + name.substr(0, 80) + "'" +
+                           did_you_mean(name, known_);
         if (text.back() == '\'') {
             text += ", expected one of";
             for (const std::string& known : known_) text += " " + known;

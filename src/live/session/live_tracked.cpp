@@ -4,7 +4,6 @@
 #include "live/session/live_view.h"
 
 #include "base/steady_time.h"
-#include "base/text.h"
 #include "disk/files.h"
 #include "disk/own_folder.h"
 #include "passes/distance_maps_file.h"
@@ -23,31 +22,35 @@ namespace {
 
 constexpr float kShadowStep_m = 0.01f; // maps are made again for more
 
-bool any_matches(const std::vector<std::string>& patterns, const std::string& name) {
-    return std::any_of(patterns.begin(), patterns.end(),
-                       [&](const std::string& pattern) { return matches(pattern, name); });
-}
-
 } // namespace
 
 // As [[object]] does: the name of the object, else that of its mesh. What a mover carries goes with that.
-std::vector<std::size_t> LiveView::objects_named(const std::vector<std::string>& patterns) const {
-    std::vector<std::size_t> by_name, by_mesh;
-    for (std::size_t i = 0; i < stage_.instances.size(); ++i) {
-        const scene::Instance& instance = stage_.instances[i];
-        if (instance.fixture != scene::kNone || instance.mesh < 0) continue;
-        if (std::ranges::binary_search(carried_, i, {}, &scene::CarriedObject::instance)) continue;
-        if (any_matches(patterns, instance.name))
-            by_name.push_back(i);
-        else if (any_matches(patterns, stage_.meshes[static_cast<std::size_t>(instance.mesh)].name))
-            by_mesh.push_back(i);
+std::vector<std::size_t> LiveView::objects_named(const std::vector<std::string>& patterns,
+                                                 std::uint64_t& steps) {
+    if (!names_) {
+        names_.emplace();
+        for (std::size_t i = 0; i < stage_.instances.size(); ++i) {
+            const scene::Instance& instance = stage_.instances[i];
+            if (instance.fixture != scene::kNone || instance.mesh < 0) continue;
+            if (std::ranges::binary_search(carried_, i, {}, &scene::CarriedObject::instance)) continue;
+            names_->by_name.add(instance.name, i);
+            names_->by_mesh.add(stage_.meshes[static_cast<std::size_t>(instance.mesh)].name, i);
+        }
     }
-    return by_name.empty() ? by_mesh : by_name;
+    for (const NameIndex* const names : {&names_->by_name, &names_->by_mesh}) {
+        std::set<std::size_t> found;
+        for (const std::string& pattern : patterns) {
+            const std::vector<std::size_t> of_pattern = names->find(pattern, steps);
+            found.insert(of_pattern.begin(), of_pattern.end());
+        }
+        if (!found.empty()) return {found.begin(), found.end()};
+    }
+    return {};
 }
 
-std::optional<glm::vec3> LiveView::track(const std::vector<std::string>& patterns) {
+std::optional<glm::vec3> LiveView::track(const std::vector<std::size_t>& objects) {
     glm::vec3 low_m(std::numeric_limits<float>::max()), high_m(-low_m);
-    for (const std::size_t i : objects_named(patterns)) {
+    for (const std::size_t i : objects) {
         const scene::Instance& instance = stage_.instances[i];
         for (const glm::vec3& position : stage_.meshes[static_cast<std::size_t>(instance.mesh)].positions) {
             const glm::vec3 at_m(instance.world * glm::vec4(position, 1.0f));
@@ -60,8 +63,8 @@ std::optional<glm::vec3> LiveView::track(const std::vector<std::string>& pattern
     return glm::vec3(0.5f * (low_m.x + high_m.x), 0.5f * (low_m.y + high_m.y), low_m.z);
 }
 
-void LiveView::move_tracked(const std::vector<std::string>& patterns, const glm::vec3& by_m) {
-    for (const std::size_t i : objects_named(patterns)) {
+void LiveView::move_tracked(const std::vector<std::size_t>& objects, const glm::vec3& by_m) {
+    for (const std::size_t i : objects) {
         const auto moved = moved_.find(i);
         const glm::vec3 before_m(moved == moved_.end() ? glm::vec4(0) : moved->second[3]);
         if (glm::distance(before_m, by_m) >= kStill_m) move(i, glm::translate(glm::mat4(1.0f), by_m));

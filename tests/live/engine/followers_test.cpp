@@ -115,16 +115,23 @@ TEST(Followers, an_object_goes_with_its_tracker_and_so_does_its_shadow) {
     const double apart = differing(before, wanted);
     EXPECT_GT(apart, 0.01) << "it must be seen that somebody moved";
 
-    const auto home_m = tracked.view->track(kWho);
+    std::uint64_t steps = kMostMatchSteps;
+    const std::vector<std::size_t> who = tracked.view->objects_named(kWho, steps);
+    ASSERT_GE(who.size(), kWho.size());
+    const auto home_m = tracked.view->track(who);
     ASSERT_TRUE(home_m.has_value());
-    tracked.view->move_tracked(kWho, by_m);
+    tracked.view->move_tracked(who, by_m);
     ASSERT_TRUE(tracked.settle());
     EXPECT_LT(differing(tracked.picture(), wanted), 0.02 * apart);
     // And back again.
-    tracked.view->move_tracked(kWho, glm::vec3(0));
+    tracked.view->move_tracked(who, glm::vec3(0));
     ASSERT_TRUE(tracked.settle());
     EXPECT_LT(differing(tracked.picture(), before), 0.02 * apart);
-    EXPECT_FALSE(tracked.view->track({"nobody*"}).has_value());
+    EXPECT_TRUE(tracked.view->objects_named({"nobody*"}, steps).empty());
+    EXPECT_FALSE(tracked.view->track({}).has_value());
+    steps = 1;
+    EXPECT_TRUE(tracked.view->objects_named({"*"}, steps).empty());
+    EXPECT_EQ(steps, 0u);
 }
 
 TEST(Followers, a_camera_turns_to_its_tracker) {

@@ -2,6 +2,7 @@
 // When the passes of a camera are fine enough to be shown in a window.
 #include "live/session/baked_view.h"
 
+#include "live/session/session.h"
 #include "render/geometry/pass_images.h"
 #include "support/must.h"
 
