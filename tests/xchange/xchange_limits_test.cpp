@@ -160,6 +160,38 @@ TEST(XchangeStations, plots_of_ever_new_numbers_are_counted) {
     EXPECT_NE(said->text.find("more plots at once than are taken"), std::string::npos) << said->text;
 }
 
+// Half a minute is what such a plot is waited for.
+TEST(XchangeStations, a_plot_of_a_station_that_comes_late_is_asked_for_when_it_is_offered_again) {
+    const Folder folder;
+    std::atomic<int> requests{0};
+    const Forged forged([&](const scene::XchangeMessage& message) -> std::string {
+        if (message.type == "MVR_JOIN")
+            return package(R"({"Type":"MVR_JOIN_RET","OK":true,"StationUUID":"f"})");
+        if (message.type == "MVR_REQUEST") ++requests;
+        return package(R"({"Type":"MVR_REQUEST_RET","OK":false})");
+    });
+    XchangeOptions options = station("B");
+    options.save = folder.path / "come";
+    options.peers = {at(forged.port())};
+    const auto b = start(options);
+    ASSERT_TRUE(wait_for(*b, Kind::joined).has_value());
+    const auto visitor = must(dmx::TcpStream::connect(dmx::IpAddress(0x7F000001), b->port()));
+    const auto offer = [&](const std::string& station) {
+        const std::string commit =
+            package(R"({"Type":"MVR_COMMIT","StationUUID":")" + station + R"(","FileUUID":"one"})");
+        EXPECT_EQ(visitor->send({reinterpret_cast<const std::uint8_t*>(commit.data()), commit.size()}),
+                  commit.size());
+    };
+    std::this_thread::sleep_for(300ms); // until it is connected
+    offer("nobody yet");
+    const auto said = wait_for(*b, Kind::trouble, 45s);
+    ASSERT_TRUE(said.has_value());
+    EXPECT_NE(said->text.find("a station that cannot be reached"), std::string::npos) << said->text;
+    offer("f");
+    for (int k = 0; k < 500 && requests == 0; ++k) std::this_thread::sleep_for(10ms);
+    EXPECT_EQ(requests, 1);
+}
+
 TEST(XchangeStations, the_plots_of_a_session_have_so_many_bytes_and_no_more) {
     const Folder folder;
     const std::string content = write_plot(folder.path / "tour.mvr", 50'000);

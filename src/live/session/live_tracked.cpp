@@ -4,13 +4,9 @@
 #include "live/session/live_view.h"
 
 #include "base/steady_time.h"
-#include "disk/files.h"
-#include "disk/own_folder.h"
-#include "passes/distance_maps_file.h"
 #include "stage/overrides.h"
 
 #include <algorithm>
-#include <filesystem>
 #include <limits>
 #include <set>
 
@@ -110,21 +106,11 @@ void LiveView::begin_changed_maps() {
     };
     if (!distances_ || (std::all_of(moved_.begin(), moved_.end(), mapped) && shown_by_hand_ == mapped_shown_))
         return;
-    if (changed_show_.cache_name.empty()) {
+    const bool is_first = changed_show_.cache_name.empty();
+    if (is_first) {
         changed_show_ = show_;
         changed_show_.stage = {};
         changed_show_.cache_name = (show_.cache_name.empty() ? "" : show_.cache_name + "-") + "tracked";
-        // What is right for the show as it is, is right for most lights wherever the objects are.
-        namespace fs = std::filesystem;
-        const fs::path from = scene::distance_folder(show_, maps_.size);
-        const fs::path to = scene::distance_folder(changed_show_, maps_.size);
-        const auto maps = OwnFolder::open(from, show_.cache_home());
-        if (maps.ok() && make_folders(to, show_.cache_home()).ok())
-            for (const OwnFolder::File& map : maps->entries().files) {
-                std::error_code code;
-                fs::remove(to / map.name, code); // a link would be written through
-                fs::copy_file(from / map.name, to / map.name, code);
-            }
     }
     if (!changed_stage_ || shown_by_hand_ != mapped_shown_) {
         changed_stage_ = solid_now();
@@ -142,7 +128,9 @@ void LiveView::begin_changed_maps() {
     mapped_shown_ = shown_by_hand_;
     std::set<std::size_t> known;
     for (std::size_t k = 0; k < maps_.maps.size(); ++k) known.insert(k);
-    maker_ = std::make_unique<MapMaker>(changed_show_, *changed_stage_, maps_.size, std::move(known));
+    // What is right for the show as it is, is right for most lights wherever the objects are.
+    maker_ = std::make_unique<MapMaker>(changed_show_, *changed_stage_, maps_.size, std::move(known),
+                                        is_first ? &show_ : nullptr);
 }
 
 void LiveView::hang_lamps(const scene::Rig& rig) {
