@@ -155,8 +155,10 @@ public:
         messages_.give(report);
         if (not_read_ > 0)
             report.add(Severity::error, loaded_.name,
-                       std::to_string(not_read_) + " mesh files are left out: those before them need all of the " +
-                           std::to_string(kMostMeshBytes >> 30) + " GiB that the meshes of a plot may have");
+                       std::to_string(not_read_) +
+                           (not_read_ == 1 ? " mesh file is" : " mesh files are") +
+                           " left out: the others need all of the " + std::to_string(kMostMeshBytes >> 30) +
+                           " GiB that the meshes of a plot may have");
         if (!flat_.empty())
             report.add(Severity::error, loaded_.name,
                        "objects whose placement has no volume are left out: " + name_list(flat_));

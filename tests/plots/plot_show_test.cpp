@@ -8,6 +8,7 @@
 #include "light/rig.h"
 #include "plots/plot_changes.h"
 #include "plots/plot_show.h"
+#include "plots/plot_stage.h"
 #include "plots/plot_types.h"
 #include "show_folder/load_show.h"
 
@@ -465,7 +466,8 @@ TEST(PlotShow, MeshesOfAPlotHaveAnEndTogether) {
         ASSERT_TRUE(add_plot_stage(*show.plot, shown, {}, stage, said, {}, most).ok());
         EXPECT_EQ(stage.instances.size(), most / bytes) << most;
         EXPECT_EQ(stage.meshes.size(), most / bytes) << most;
-        EXPECT_EQ(says(said, {std::to_string(3 - most / bytes) + " mesh files are left out"}), most < 3 * bytes)
+        EXPECT_EQ(says(said, {std::to_string(3 - most / bytes) + " mesh file", "left out: the others need all"}),
+                  most < 3 * bytes)
             << messages_of(said);
     }
 }
