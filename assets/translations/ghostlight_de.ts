@@ -7092,6 +7092,10 @@ Bitte den Namen des Ordners prüfen.</translation>
         <translation>%1 Netzdatei ist weggelassen: die anderen brauchen alle %2 GiB, die die Netze eines Plans haben dürfen</translation>
     </message>
     <message>
+        <source>its gobos stay open, and perhaps those of other files: with it the pictures of all fixture files need more than %1 GiB</source>
+        <translation>seine Gobos bleiben offen, und vielleicht die anderer Dateien: mit ihm brauchen die Bilder aller Gerätedateien mehr als %1 GiB</translation>
+    </message>
+    <message>
         <source>is empty: there is no show in it</source>
         <translation>ist leer: darin steht keine Show</translation>
     </message>

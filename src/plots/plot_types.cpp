@@ -100,6 +100,7 @@ std::shared_ptr<const fixture::Type> PlotTypes::read(const PlotGdtf& gdtf, const
         report_.add(Severity::error, loaded_.name + ": " + file.name.string(), "has no DMX mode" + who);
         return nullptr;
     }
+    pictures_.take(loaded->type, loaded_.name + ": " + file.name.string(), report_);
     return std::make_shared<const fixture::Type>(std::move(loaded->type));
 }
 

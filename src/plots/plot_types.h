@@ -7,6 +7,7 @@
 #include "base/name_index.h"
 #include "base/report.h"
 #include "base/text.h"
+#include "fixture_files/common/picture_budget.h"
 #include "mvr/mvr_load.h"
 #include "show/plot_entries.h"
 
@@ -78,6 +79,7 @@ private:
     std::vector<std::string> specs_;        // of substitutes_, in small letters
     std::uint64_t steps_ = kMostMatchSteps; // that are left to compare them
     Report& report_;
+    fixture::PictureBudget pictures_;
     std::map<int, File> files_;
     // By Plot::gdtf_files and File::name.
     using KnownFiles = std::map<std::pair<int, std::filesystem::path>, std::shared_ptr<const fixture::Type>>;

@@ -4,6 +4,7 @@
 #include "base/name_index.h"
 #include "base/suggest.h"
 #include "base/text.h"
+#include "fixture_files/common/picture_budget.h"
 #include "fixture_files/ies_ldt/photometric.h"
 #include "fixture_files/load_type.h"
 #include "json_xml_toml/toml_reader.h"
@@ -69,11 +70,13 @@ public:
             report.add(Severity::error, where, path.string() + ": has no DMX mode; its fixtures stay dark");
             return nullptr;
         }
+        pictures_.take(loaded->type, path.string(), report);
         return entry->second = std::make_shared<const fixture::Type>(std::move(loaded->type));
     }
 
 private:
     KnownTypes types_;
+    fixture::PictureBudget pictures_;
     Suggestions suggestions_;
 };
 

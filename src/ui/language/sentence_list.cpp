@@ -667,6 +667,7 @@ constexpr const char* kSentences[] = {
     QT_TRANSLATE_NOOP("Sentence", "%1 has more patterns with * and ? than can be compared with so many and so long names (500 million letters): this one and those after it match nothing; write names out, or shorter patterns"),
     QT_TRANSLATE_NOOP("Sentence", "%1 mesh files are left out: the others need all of the %2 GiB that the meshes of a plot may have"),
     QT_TRANSLATE_NOOP("Sentence", "%1 mesh file is left out: the others need all of the %2 GiB that the meshes of a plot may have"),
+    QT_TRANSLATE_NOOP("Sentence", "its gobos stay open, and perhaps those of other files: with it the pictures of all fixture files need more than %1 GiB"),
     QT_TRANSLATE_NOOP("Sentence", "is empty: there is no show in it"),
     QT_TRANSLATE_NOOP("Sentence",
                       "is no show: a folder with a show.toml, a show.toml, or a plot (.mvr) can be opened"),
