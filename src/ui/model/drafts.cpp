@@ -105,6 +105,10 @@ std::optional<Drafts::Found> Drafts::find(const std::string& saved) const {
         }
         const std::size_t head = draft->find('\n');
         const bool is_ours = draft->starts_with(kHead) && head < kMostHead;
+        if (is_ours && draft->size() - head - 1 > scene::kMaxShowBytes) { // no edit takes it
+            log_warning(file.string() + ": holds more than a show file may: the draft is not offered");
+            continue;
+        }
         if (!is_ours || draft->substr(head + 1) == saved) {
             if (is_ours) std::filesystem::remove(file, code);
             continue;

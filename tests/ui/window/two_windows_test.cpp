@@ -185,6 +185,7 @@ TEST(Drafts, one_is_offered_up_to_the_limit_of_a_show_file) {
     ASSERT_TRUE(longest.has_value());
     EXPECT_EQ(longest->text.size(), scene::kMaxShowBytes);
     ASSERT_TRUE(drafts.write(std::string(scene::kMaxShowBytes + 1, '#'), "saved").ok());
+    EXPECT_FALSE(drafts.find("saved").has_value()) << "no edit would take it";
     fs::resize_file(file, scene::kMaxShowBytes + 129);
     testing::internal::CaptureStderr();
     EXPECT_FALSE(drafts.find("saved").has_value());
