@@ -175,14 +175,16 @@ TEST(XchangeStations, a_plot_of_a_station_that_comes_late_is_asked_for_when_it_i
     options.peers = {at(forged.port())};
     const auto b = start(options);
     ASSERT_TRUE(wait_for(*b, Kind::joined).has_value());
-    const auto visitor = must(dmx::TcpStream::connect(dmx::IpAddress(0x7F000001), b->port()));
+    std::vector<std::unique_ptr<dmx::TcpStream>> visitors;
     const auto offer = [&](const std::string& station) {
+        visitors.push_back(must(dmx::TcpStream::connect(dmx::IpAddress(0x7F000001), b->port())));
+        std::this_thread::sleep_for(300ms); // until it is connected
         const std::string commit =
             package(R"({"Type":"MVR_COMMIT","StationUUID":")" + station + R"(","FileUUID":"one"})");
-        EXPECT_EQ(visitor->send({reinterpret_cast<const std::uint8_t*>(commit.data()), commit.size()}),
-                  commit.size());
+        EXPECT_EQ(
+            visitors.back()->send({reinterpret_cast<const std::uint8_t*>(commit.data()), commit.size()}),
+            commit.size());
     };
-    std::this_thread::sleep_for(300ms); // until it is connected
     offer("nobody yet");
     const auto said = wait_for(*b, Kind::trouble, 45s);
     ASSERT_TRUE(said.has_value());
