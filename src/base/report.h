@@ -1,8 +1,8 @@
 #pragma once
 // SPDX-License-Identifier: Apache-2.0
 // Report: what was noticed while something was read: what was lost, repaired or guessed. Loading goes on; the
-// caller shows the report. A file may give rise to millions of messages: beyond kMostReported only the first of
-// each kind is kept, and one that says how many are not. Values only.
+// caller shows the report. A file may give rise to millions of messages: beyond kMostReported only the first
+// of each kind is kept, and one that says how many are not. Values only.
 
 #include "base/message_cap.h"
 #include "base/suggest.h"

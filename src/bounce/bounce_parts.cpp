@@ -130,10 +130,11 @@ std::optional<std::vector<std::uint8_t>> BounceParts::read(const std::string& pa
         const std::lock_guard lock(mutex_);
         if (size > kMostPartsBytes - std::min(bytes_, kMostPartsBytes)) {
             if (!failure_)
-                failure_ = Error{"is " + std::to_string(size) + " bytes, and all parts together have at most " +
-                                     std::to_string(kMostPartsBytes) +
-                                     "; that part of the links of bounced light is made again",
-                                 file.string()};
+                failure_ =
+                    Error{"is " + std::to_string(size) + " bytes, and all parts together have at most " +
+                              std::to_string(kMostPartsBytes) +
+                              "; that part of the links of bounced light is made again",
+                          file.string()};
             return std::nullopt;
         }
         bytes_ += size;

@@ -339,8 +339,7 @@ void TableReader::finish() {
         const std::string name(key.str());
         if (std::find(known_.begin(), known_.end(), name) != known_.end()) continue;
         std::string text =
-            section_ + " " + kUnknownKey + " '" + name.substr(0, 80) + "'" +
-                           did_you_mean(name, known_);
+            section_ + " " + kUnknownKey + " '" + name.substr(0, 80) + "'" + did_you_mean(name, known_);
         if (text.back() == '\'') {
             text += ", expected one of";
             for (const std::string& known : known_) text += " " + known;

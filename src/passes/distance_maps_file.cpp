@@ -203,7 +203,8 @@ void copy_distance_maps(const Show& from, const Show& to, int size, const std::f
     const auto maps = OwnFolder::open(here, from.cache_home());
     if (!maps.ok() || !make_folders(there, to.cache_home()).ok()) return;
     std::set<std::string> wanted;
-    for (const DistancePlace& place : distance_places(from, size)) wanted.insert(place.file.filename().string());
+    for (const DistancePlace& place : distance_places(from, size))
+        wanted.insert(place.file.filename().string());
     const std::uintmax_t texels = static_cast<std::uintmax_t>(size) * static_cast<std::uintmax_t>(size);
     for (const OwnFolder::File& file : maps->entries().files) {
         if (stop()) return;

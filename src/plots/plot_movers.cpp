@@ -95,7 +95,8 @@ Result<std::size_t> export_movers(const std::string& show_toml, const Plot& plot
     const std::vector<Named> objects = named_objects(plot);
     NameIndex fixture_names, object_names;
     for (std::size_t k = 0; k < objects.size(); ++k)
-        if (!objects[k].uuid.empty()) (objects[k].is_fixture ? fixture_names : object_names).add(objects[k].name, k);
+        if (!objects[k].uuid.empty())
+            (objects[k].is_fixture ? fixture_names : object_names).add(objects[k].name, k);
     std::uint64_t steps = kMostMatchSteps;
     std::string movers, carried;
     std::size_t count = 0;

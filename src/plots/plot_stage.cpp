@@ -155,8 +155,7 @@ public:
         messages_.give(report);
         if (not_read_ > 0)
             report.add(Severity::error, loaded_.name,
-                       std::to_string(not_read_) +
-                           (not_read_ == 1 ? " mesh file is" : " mesh files are") +
+                       std::to_string(not_read_) + (not_read_ == 1 ? " mesh file is" : " mesh files are") +
                            " left out: the others need all of the " + std::to_string(kMostMeshBytes >> 30) +
                            " GiB that the meshes of a plot may have");
         if (!flat_.empty())
@@ -194,7 +193,7 @@ private:
 
     std::vector<Instance> read(const PlotMesh& mesh) {
         if (mesh.member.empty()) return {}; // the reader of the plot has said so
-        if (not_read_ > 0) { // who reads on to find a smaller one may read for hours
+        if (not_read_ > 0) {                // who reads on to find a smaller one may read for hours
             ++not_read_;
             return {};
         }

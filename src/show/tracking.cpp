@@ -100,7 +100,8 @@ void check_tracking(const Show& show, Report& report) {
     };
     for (const TrackerUse& use : show.tracking.uses) {
         if (!use.camera.empty()) check(use, use.camera, known_cameras, cameras, "camera");
-        for (const std::string& fixture : use.fixtures) check(use, fixture, known_fixtures, fixtures, "fixture");
+        for (const std::string& fixture : use.fixtures)
+            check(use, fixture, known_fixtures, fixtures, "fixture");
     }
 }
 

@@ -14,8 +14,13 @@ namespace {
 using Things = std::vector<std::size_t>;
 
 TEST(NameIndex, what_a_pattern_finds_is_what_matches) {
-    const std::vector<std::string> names{"Spot 2", "Spot 1", "Wash", "Spot 1", "", "Stra\xc3\x9f"
-                                                                                "e",
+    const std::vector<std::string> names{"Spot 2",
+                                         "Spot 1",
+                                         "Wash",
+                                         "Spot 1",
+                                         "",
+                                         "Stra\xc3\x9f"
+                                         "e",
                                          "*"};
     NameIndex index;
     for (std::size_t k = 0; k < names.size(); ++k) index.add(names[k], k);

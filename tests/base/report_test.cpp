@@ -9,7 +9,8 @@ namespace {
 TEST(Report, has_an_end_which_is_said_and_keeps_what_is_rare) {
     Report report;
     for (std::size_t k = 0; k < kMostReported; ++k)
-        report.add(Severity::warning, "show.toml:" + std::to_string(k), "unknown key 'k" + std::to_string(k) + "'");
+        report.add(Severity::warning, "show.toml:" + std::to_string(k),
+                   "unknown key 'k" + std::to_string(k) + "'");
     ASSERT_EQ(report.messages.size(), kMostReported) << "as many as a person may want to see";
     for (int k = 0; k < 100'000; ++k)
         report.add(Severity::warning, "show.toml:9", "unknown key 'x" + std::to_string(k) + "'");

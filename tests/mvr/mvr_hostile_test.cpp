@@ -268,8 +268,8 @@ TEST(mvr_hostile, depth_counts_and_messages_have_limits) {
     EXPECT_TRUE(says(late->report, {"more than 100000 objects", "2000 times"})) << messages_of(late->report);
 }
 
-// Each missing name is compared with each that is there: letters enough for minutes, of which the first few names
-// get theirs.
+// Each missing name is compared with each that is there: letters enough for minutes, of which the first few
+// names get theirs.
 TEST(mvr_hostile, missing_names_of_a_whole_plot_share_one_budget) {
     constexpr int kNames = 2000;
     const auto name = [](int number, char letter) {
@@ -278,7 +278,8 @@ TEST(mvr_hostile, missing_names_of_a_whole_plot_share_one_budget) {
     std::string fixtures;
     Members members;
     for (int k = 0; k < kNames; ++k) {
-        fixtures += "<Fixture uuid='" + std::to_string(k) + "'><GDTFSpec>" + name(k, 'a') + "</GDTFSpec></Fixture>";
+        fixtures +=
+            "<Fixture uuid='" + std::to_string(k) + "'><GDTFSpec>" + name(k, 'a') + "</GDTFSpec></Fixture>";
         members.push_back({name(k + kNames, 'a'), "x"});
     }
     const auto loaded = load_description(small_xml(fixtures), std::move(members));

@@ -445,7 +445,8 @@ TEST(PlotShow, StageOfSymbolsInMirrorsAndMillimetres) {
 // A mesh of some MB may unpack to a gigabyte, and a plot has as many as it likes.
 TEST(PlotShow, MeshesOfAPlotHaveAnEndTogether) {
     Report report;
-    const std::string sails[] = {"<Geometry3D fileName=\"Sail.glb\"/>", "<Geometry3D fileName=\"Sail2.glb\"/>",
+    const std::string sails[] = {"<Geometry3D fileName=\"Sail.glb\"/>",
+                                 "<Geometry3D fileName=\"Sail2.glb\"/>",
                                  "<Geometry3D fileName=\"Sail3.glb\"/>"};
     std::string objects;
     for (int k = 0; k < 3; ++k)
@@ -466,8 +467,9 @@ TEST(PlotShow, MeshesOfAPlotHaveAnEndTogether) {
         ASSERT_TRUE(add_plot_stage(*show.plot, shown, {}, stage, said, {}, most).ok());
         EXPECT_EQ(stage.instances.size(), most / bytes) << most;
         EXPECT_EQ(stage.meshes.size(), most / bytes) << most;
-        EXPECT_EQ(says(said, {std::to_string(3 - most / bytes) + " mesh file", "left out: the others need all"}),
-                  most < 3 * bytes)
+        EXPECT_EQ(
+            says(said, {std::to_string(3 - most / bytes) + " mesh file", "left out: the others need all"}),
+            most < 3 * bytes)
             << messages_of(said);
     }
 }

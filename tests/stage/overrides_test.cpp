@@ -34,8 +34,8 @@ TEST(Matches, StarsAndQuestionMarks) {
     EXPECT_FALSE(matches("?", ""));
 }
 
-// Each of ten entries would take seconds by itself, and a show may have a thousand, for a hundred times as many
-// objects.
+// Each of ten entries would take seconds by itself, and a show may have a thousand, for a hundred times as
+// many objects.
 TEST(Overrides, PatternsThatNearlyMatchManyNamesHaveAnEndWhichIsSaid) {
     Stage stage;
     stage.materials.resize(1);
@@ -56,7 +56,8 @@ TEST(Overrides, PatternsThatNearlyMatchManyNamesHaveAnEndWhichIsSaid) {
     ASSERT_EQ(report.messages.size(), 1u);
     EXPECT_EQ(report.messages[0].where, "show.toml:2");
     EXPECT_EQ(report.messages[0].severity, Severity::error);
-    EXPECT_NE(report.messages[0].what.find("[[object]] has more patterns with * and ? than"), std::string::npos)
+    EXPECT_NE(report.messages[0].what.find("[[object]] has more patterns with * and ? than"),
+              std::string::npos)
         << report.messages[0].what;
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: Apache-2.0
-// PictureBudget: what the gobos of all fixture files of a show, or of a plot, may need in memory. A file of a MB
-// may have 384 of them, and a show has thousands of files. One thread.
+// PictureBudget: what the gobos of all fixture files of a show, or of a plot, may need in memory. A file of a
+// MB may have 384 of them, and a show has thousands of files. One thread.
 
 #include "base/report.h"
 #include "fixture/type.h"
@@ -28,10 +28,11 @@ public:
         for (Media& media : type.media) media.rgba = {};
         if (is_said_) return;
         is_said_ = true;
-        report.add(Severity::error, where,
-                   "its gobos stay open, and perhaps those of other files: with it the pictures of all fixture "
-                   "files need more than " +
-                       std::to_string(kMostTypePictures >> 30) + " GiB");
+        report.add(
+            Severity::error, where,
+            "its gobos stay open, and perhaps those of other files: with it the pictures of all fixture "
+            "files need more than " +
+                std::to_string(kMostTypePictures >> 30) + " GiB");
     }
 
 private:

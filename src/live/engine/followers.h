@@ -30,7 +30,7 @@ private:
     };
     void move_objects(Session& session, const scene::TrackerUse& use, const glm::vec3& point_m, Home& home);
 
-    std::vector<Home> homes_;          // of each entry
+    std::vector<Home> homes_; // of each entry
     std::uint64_t steps_ = kMostMatchSteps;
     std::vector<std::uint64_t> heard_; // packets with the tracker of each mover
     bool said_passes_ = false;

@@ -532,8 +532,7 @@ Result<std::unique_ptr<Session>> open_session(const SessionOptions& asked, scene
         scene::check_places(*session->show, session->live->stage(), {&camera, 1}, report);
         print_report(report, printed);
     }
-    const std::string beyond =
-        options.live ? "" : render::beyond_device(*session->device, session->passes);
+    const std::string beyond = options.live ? "" : render::beyond_device(*session->device, session->passes);
     if (!beyond.empty())
         return Error{"the passes of camera '" + camera.name + "' need " + beyond +
                          ": a smaller picture (--size) needs less, and --live needs none",

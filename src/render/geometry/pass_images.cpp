@@ -63,7 +63,8 @@ SeenBox seen_in(const scene::Passes& passes, const glm::vec3& eye_m) {
 std::uint64_t rows_of(const scene::Passes& passes) {
     const std::uint64_t extra = passes.fragment_count() - passes.pixel_count();
     const auto width = static_cast<std::uint64_t>(passes.width);
-    const std::uint64_t texels = (extra + shared::kTilePixels - 1) / shared::kTilePixels * shared::kTilePixels;
+    const std::uint64_t texels =
+        (extra + shared::kTilePixels - 1) / shared::kTilePixels * shared::kTilePixels;
     return static_cast<std::uint64_t>(passes.height) + (texels + width - 1) / width;
 }
 

@@ -18,7 +18,8 @@ constexpr float kSliceOfCell = 0.75f;   // as long as slices are
 constexpr std::uint32_t kLeastSlices = 8;
 
 std::size_t layers_of(const scene::BounceVolume& volume) {
-    const std::size_t layer = static_cast<std::size_t>(volume.size.x) * static_cast<std::size_t>(volume.size.y);
+    const std::size_t layer =
+        static_cast<std::size_t>(volume.size.x) * static_cast<std::size_t>(volume.size.y);
     return volume.texels.size() / std::max<std::size_t>(layer, 1);
 }
 
@@ -30,9 +31,9 @@ RoomLight::RoomLight(const gpu::Device& device)
 
 std::string RoomLight::beyond_device(const gpu::Device& device, const scene::BounceVolumes& volumes) {
     for (const scene::BounceVolume* volume : {&volumes.surfaces, &volumes.air, &volumes.glow}) {
-        const std::string beyond = gpu::beyond_limits(
-            device.limits(), static_cast<std::uint64_t>(volume->size.x),
-            static_cast<std::uint64_t>(volume->size.y), layers_of(*volume));
+        const std::string beyond =
+            gpu::beyond_limits(device.limits(), static_cast<std::uint64_t>(volume->size.x),
+                               static_cast<std::uint64_t>(volume->size.y), layers_of(*volume));
         if (!beyond.empty()) return beyond;
     }
     return "";

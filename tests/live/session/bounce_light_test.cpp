@@ -103,8 +103,8 @@ TEST(BounceLight, a_room_beyond_the_device_is_said_and_the_picture_goes_on_witho
     EXPECT_FALSE(session->bounced);
     EXPECT_TRUE(session->is_bounce_settled());
     const auto is_said = [](const Message& message) {
-        return message.where == "bounced light" && message.what.find(" a side and 4 layers; no light bounces") !=
-                                                       std::string::npos;
+        return message.where == "bounced light" &&
+               message.what.find(" a side and 4 layers; no light bounces") != std::string::npos;
     };
     EXPECT_EQ(std::count_if(session->report.messages.begin(), session->report.messages.end(), is_said), 1);
 

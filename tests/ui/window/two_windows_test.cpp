@@ -163,8 +163,9 @@ TEST(Saving, more_than_can_be_read_again_is_neither_taken_nor_written) {
     };
     const Result<void> refused = desk.document.edit("too much", padded(scene::kMaxShowBytes + 1));
     ASSERT_FALSE(refused.ok());
-    EXPECT_NE(refused.error().text().find("show.toml: would be 16777217 bytes, and no more than 16777216 are"),
-              std::string::npos)
+    EXPECT_NE(
+        refused.error().text().find("show.toml: would be 16777217 bytes, and no more than 16777216 are"),
+        std::string::npos)
         << refused.error().text();
     EXPECT_FALSE(desk.document.is_changed());
     ASSERT_TRUE(desk.document.edit("as much as goes", padded(scene::kMaxShowBytes)).ok());
