@@ -7096,6 +7096,38 @@ Bitte den Namen des Ordners prüfen.</translation>
         <translation>nichts ist von Hand gesetzt; &apos;Bild speichern&apos; unter Looks speichert, was Pult oder Aufzeichnung tun</translation>
     </message>
     <message>
+        <source>would be %1 bytes, and no more than %2 are read again: nothing is changed; a palette of fewer fixtures needs less</source>
+        <translation>hätte %1 Bytes, und nicht mehr als %2 werden wieder gelesen: nichts ist geändert; eine Palette von weniger Geräten braucht weniger</translation>
+    </message>
+    <message>
+        <source>the pictures of its %1 lights need %2 MB of memory, and %3 are free: fewer lights or a smaller picture need less</source>
+        <translation>die Bilder seiner %1 Lichter brauchen %2 MB Speicher, und %3 sind frei: weniger Lichter oder ein kleineres Bild brauchen weniger</translation>
+    </message>
+    <message>
+        <source>its passes need pictures of %1 x %2 in %3 layers, and this device has them up to %4 a side and %5 layers</source>
+        <translation>das Vorberechnete braucht Bilder von %1 x %2 in %3 Lagen, und dieses Gerät hat sie bis %4 je Seite und %5 Lagen</translation>
+    </message>
+    <message>
+        <source>it needs pictures of %1 x %2 in %3 layers, and this device has them up to %4 a side and %5 layers; no light bounces. Lamps and objects far from all others make the room so large</source>
+        <translation>es braucht Bilder von %1 x %2 in %3 Lagen, und dieses Gerät hat sie bis %4 je Seite und %5 Lagen; kein indirektes Licht. Lampen und Objekte weit weg von allen anderen machen den Raum so groß</translation>
+    </message>
+    <message>
+        <source>%1 has more patterns with * and ? than can be compared with so many and so long names (500 million letters): this one and those after it match nothing; write names out, or shorter patterns</source>
+        <translation>%1 hat mehr Muster mit * und ?, als mit so vielen und so langen Namen verglichen werden können (500 Millionen Buchstaben): dieses und die danach treffen auf nichts zu; Namen ausschreiben oder kürzere Muster</translation>
+    </message>
+    <message>
+        <source>%1 mesh files are left out: the others need all of the %2 GiB that the meshes of a plot may have</source>
+        <translation>%1 Netzdateien sind weggelassen: die anderen brauchen alle %2 GiB, die die Netze eines Plans haben dürfen</translation>
+    </message>
+    <message>
+        <source>%1 mesh file is left out: the others need all of the %2 GiB that the meshes of a plot may have</source>
+        <translation>%1 Netzdatei ist weggelassen: die anderen brauchen alle %2 GiB, die die Netze eines Plans haben dürfen</translation>
+    </message>
+    <message>
+        <source>its gobos stay open, and perhaps those of other files: with it the pictures of all fixture files need more than %1 GiB</source>
+        <translation>seine Gobos bleiben offen, und vielleicht die anderer Dateien: mit ihm brauchen die Bilder aller Gerätedateien mehr als %1 GiB</translation>
+    </message>
+    <message>
         <source>is empty: there is no show in it</source>
         <translation>ist leer: darin steht keine Show</translation>
     </message>

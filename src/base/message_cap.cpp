@@ -35,8 +35,8 @@ std::string counted(std::size_t count, const char* one, const char* many) {
 bool MessageCap::takes(int severity, const std::string& what, std::size_t place) {
     const std::string kind = kind_of(severity, what);
     const auto known = kinds_.find(kind);
-    const bool is_room = taken_ < kMaxMessages;
-    if (is_room || (known == kinds_.end() && taken_ < kMaxMessages + kMaxMessageKinds)) {
+    const bool is_room = taken_ < most_;
+    if (is_room || (known == kinds_.end() && taken_ < most_ + kMaxMessageKinds)) {
         ++taken_;
         if (known == kinds_.end()) kinds_.emplace(kind, place);
         return true;

@@ -1,6 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: Apache-2.0
-// MessageCap: which messages are kept of a file that gives rise to more than anybody reads. The first 500,
+// MessageCap: which messages are kept of a file that gives rise to more than anybody reads. The first ones,
 // and of what comes after them the first of every kind, so that a limit or an error is never drowned by a
 // thousand notes. Kinds are sentences that differ in names and numbers only. Readers' sentences are a few
 // hundred, so the list stays bounded whatever a file says. One thread.
@@ -13,10 +13,12 @@
 namespace ghost {
 
 inline constexpr std::size_t kMaxMessages = 500;
-inline constexpr std::size_t kMaxMessageKinds = 500; // beyond kMaxMessages
+inline constexpr std::size_t kMaxMessageKinds = 500; // beyond those
 
 class MessageCap {
 public:
+    explicit MessageCap(std::size_t most = kMaxMessages) : most_(most) {}
+
     // severity: 0 note, 1 repair, 2 loss. place: where the message will stand in the caller's list.
     bool takes(int severity, const std::string& what, std::size_t place);
     // How many of the kind of the message at this place were not taken.
@@ -32,6 +34,7 @@ private:
     std::map<std::string, std::size_t> kinds_; // place of the first of each
     std::map<std::size_t, std::size_t> more_;  // by place
     std::array<std::size_t, 3> left_out_{};
+    std::size_t most_;
     std::size_t taken_ = 0;
 };
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "base/text.h"
 
+#include <limits>
+
 namespace ghost {
 namespace {
 
@@ -40,14 +42,24 @@ std::vector<std::string_view> split(std::string_view text, char separator) {
 }
 
 bool matches(std::string_view pattern, std::string_view name) {
+    std::uint64_t steps = std::numeric_limits<std::uint64_t>::max();
+    return matches(pattern, name, steps);
+}
+
+bool matches(std::string_view pattern, std::string_view name, std::uint64_t& steps) {
+    if (steps == 0) return false;
+    --steps;
     std::size_t p = 0;
     std::size_t n = 0;
     std::size_t star = std::string_view::npos; // where the last * stands, and what it has swallowed so far
     std::size_t swallowed = 0;
     while (n < name.size()) {
+        if (steps == 0) return false;
+        --steps;
         if (p < pattern.size() && pattern[p] == '*') {
             star = p++;
             swallowed = n;
+            if (p == pattern.size()) return true; // whatever follows
         } else if (p < pattern.size() && pattern[p] == '?') {
             ++p;
             n += letter_bytes(name, n);

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <string>
 #include <utility>
 
 namespace ghost::scene {
@@ -122,7 +123,33 @@ void BounceParts::fail(Error error) {
 std::optional<std::vector<std::uint8_t>> BounceParts::read(const std::string& part) {
     const std::filesystem::path file = file_of(part);
     if (!there_.contains(file.filename().string())) return std::nullopt;
-    auto bytes = read_file(file, kMostPartsBytes);
+    std::error_code code;
+    std::uintmax_t size = std::filesystem::file_size(file, code);
+    if (code) size = 0;
+    {
+        const std::lock_guard lock(mutex_);
+        if (size > kMostPartsBytes - std::min(bytes_, kMostPartsBytes)) {
+            if (!failure_)
+                failure_ =
+                    Error{"is " + std::to_string(size) + " bytes, and all parts together have at most " +
+                              std::to_string(kMostPartsBytes) +
+                              "; that part of the links of bounced light is made again",
+                          file.string()};
+            return std::nullopt;
+        }
+        bytes_ += size;
+    }
+    auto body = read_reserved(file, size);
+    if (!body) {
+        const std::lock_guard lock(mutex_);
+        bytes_ -= size;
+    }
+    return body;
+}
+
+std::optional<std::vector<std::uint8_t>> BounceParts::read_reserved(const std::filesystem::path& file,
+                                                                    std::uintmax_t size) {
+    auto bytes = read_file(file, size);
     if (!bytes.ok()) {
         fail(bytes.error());
         return std::nullopt;
@@ -139,8 +166,6 @@ std::optional<std::vector<std::uint8_t>> BounceParts::read(const std::string& pa
         fail({"is damaged; that part of the links of bounced light is made again", file.string()});
         return std::nullopt;
     }
-    const std::lock_guard lock(mutex_);
-    bytes_ += bytes->size();
     return std::vector<std::uint8_t>(whole.begin() + static_cast<std::ptrdiff_t>(head.size()), whole.end());
 }
 

@@ -45,6 +45,8 @@ public:
 private:
     std::filesystem::path file_of(const std::string& part) const;
     std::optional<std::vector<std::uint8_t>> read(const std::string& part);
+    std::optional<std::vector<std::uint8_t>> read_reserved(const std::filesystem::path& file,
+                                                           std::uintmax_t size);
     void write(const std::string& part, const std::vector<std::uint8_t>& body);
     void fail(Error error);
 

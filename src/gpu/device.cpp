@@ -13,8 +13,8 @@
 #include <algorithm>
 #include <cctype>
 #include <cstdio>
-#include <cstdlib>
 #include <cstring>
+#include <stdexcept>
 
 namespace ghost::gpu {
 namespace {
@@ -78,9 +78,8 @@ void vulkan_failed(const char* call, const char* file, int line, VkResult result
         throw OutOfDeviceMemory(
             "out of memory for drawing: a smaller picture (--size), fewer lights or smaller shadow maps "
             "(map_size) need less");
-    log_error(std::string(file) + ":" + std::to_string(line) + ": " + call + " failed with VkResult " +
-              std::to_string(static_cast<int>(result)));
-    std::exit(1);
+    throw std::runtime_error(std::string(file) + ":" + std::to_string(line) + ": " + call +
+                             " failed with VkResult " + std::to_string(static_cast<int>(result)));
 }
 
 VKAPI_ATTR VkBool32 VKAPI_CALL Device::on_validation(VkDebugUtilsMessageSeverityFlagBitsEXT,

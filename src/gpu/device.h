@@ -1,9 +1,9 @@
 #pragma once
 // SPDX-License-Identifier: Apache-2.0
 // Device: one Vulkan 1.3 device with one queue. Whoever creates it keeps it alive until all that was made
-// from it is gone. A failing Vulkan call (VK_CALL) prints the call, file and line and ends the program, for
-// driver faults leave nothing to go on with; a lost device and memory that is not there are thrown
-// (gpu/device_failures.h). Main thread.
+// from it is gone. A failing Vulkan call (VK_CALL) throws a std::runtime_error that names the call, file and
+// line; a lost device and memory that is not there have types of their own (gpu/device_failures.h). Main
+// thread.
 
 #include "base/result.h"
 #include "gpu/needed_limits.h"

@@ -70,6 +70,8 @@ UsedLimits used_limits(const VkPhysicalDeviceLimits& limits, const LoweredLimits
     UsedLimits used;
     used.image_layers =
         static_cast<std::uint32_t>(lowered_to(lowered, "maxImageArrayLayers", limits.maxImageArrayLayers));
+    used.image_side =
+        static_cast<std::uint32_t>(lowered_to(lowered, "maxImageDimension2D", limits.maxImageDimension2D));
     used.work_group_invocations = static_cast<std::uint32_t>(
         lowered_to(lowered, "maxComputeWorkGroupInvocations", limits.maxComputeWorkGroupInvocations));
     used.work_groups = static_cast<std::uint32_t>(
@@ -77,6 +79,15 @@ UsedLimits used_limits(const VkPhysicalDeviceLimits& limits, const LoweredLimits
     used.timestamps =
         lowered_to(lowered, "timestampComputeAndGraphics", limits.timestampComputeAndGraphics) != 0;
     return used;
+}
+
+std::string beyond_limits(const UsedLimits& limits, std::uint64_t width, std::uint64_t height,
+                          std::uint64_t layers) {
+    if (std::max(width, height) <= limits.image_side && layers <= limits.image_layers) return "";
+    return "pictures of " + std::to_string(width) + " x " + std::to_string(height) + " in " +
+           std::to_string(layers) + " layers, and this device has them up to " +
+           std::to_string(limits.image_side) + " a side and " + std::to_string(limits.image_layers) +
+           " layers";
 }
 
 } // namespace ghost::gpu

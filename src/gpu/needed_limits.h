@@ -30,10 +30,16 @@ std::string missing_limit(VkPhysicalDevice physical, const VkPhysicalDeviceLimit
 // What is made use of as far as there is of it.
 struct UsedLimits {
     std::uint32_t image_layers = 256;           // maxImageArrayLayers
+    std::uint32_t image_side = 4096;            // maxImageDimension2D
     std::uint32_t work_group_invocations = 128; // maxComputeWorkGroupInvocations
     std::uint32_t work_groups = 65535;          // maxComputeWorkGroupCount, in x
     bool timestamps = false;                    // timestampComputeAndGraphics: else spans have no times
 };
 UsedLimits used_limits(const VkPhysicalDeviceLimits& limits, const LoweredLimits& lowered);
+
+// What Vulkan promises nothing for: "pictures of 30004 x 2 in 768 layers, and this device has them up to
+// 16384 a side and 2048 layers"; "" where it fits.
+std::string beyond_limits(const UsedLimits& limits, std::uint64_t width, std::uint64_t height,
+                          std::uint64_t layers);
 
 } // namespace ghost::gpu

@@ -134,8 +134,28 @@ Result<void> check_empty(const Imath::Box2i& display, const Imath::Box2i& data, 
                  ""};
 }
 
+Result<void> check_shape(const Imath::Box2i& display, const Imath::Box2i& data, std::size_t channels,
+                         const ExrShape& expected) {
+    constexpr std::uint64_t kMostAround = 16; // of a picture, that is cut off
+    const int width = display.max.x - display.min.x + 1, height = display.max.y - display.min.y + 1;
+    if ((expected.width > 0 && width != expected.width) || (expected.height > 0 && height != expected.height))
+        return Error{"is " + size_text(width, height) + " pixels, expected " +
+                         size_text(expected.width, expected.height),
+                     ""};
+    if (expected.channels > 0 && channels != static_cast<std::size_t>(expected.channels))
+        return Error{"has " + std::to_string(channels) + " channels, expected " +
+                         std::to_string(expected.channels),
+                     ""};
+    if (expected.width > 0 && area_of(data) * channels * sizeof(float) > kUnasked &&
+        area_of(data) > kMostAround * area_of(display))
+        return Error{"holds " + std::to_string(area_of(data)) + " pixels, but its picture has " +
+                         std::to_string(area_of(display)) + " of them",
+                     ""};
+    return {};
+}
+
 // Throws what OpenEXR throws.
-Result<ExrFile> read_unguarded(const std::filesystem::path& path) {
+Result<ExrFile> read_unguarded(const std::filesystem::path& path, const ExrShape& expected) {
     TRY_VOID(check_exr_attributes(path));
     Imf::InputFile input(path.string().c_str());
     const Imf::Header& header = input.header();
@@ -148,6 +168,7 @@ Result<ExrFile> read_unguarded(const std::filesystem::path& path) {
                      ""};
     TRY_VOID(check_window(data, channels.size()));
     TRY_VOID(check_window(display, channels.size()));
+    TRY_VOID(check_shape(display, data, channels.size(), expected));
     TRY_VOID(check_empty(display, data, channels.size()));
     std::error_code code;
     TRY_VOID(check_packing(header, std::filesystem::file_size(path, code)));
@@ -229,12 +250,12 @@ int ExrFile::find_channel(const std::string& name) const {
     return found == channels.end() ? -1 : static_cast<int>(found - channels.begin());
 }
 
-Result<ExrFile> read_exr(const std::filesystem::path& path) {
+Result<ExrFile> read_exr(const std::filesystem::path& path, const ExrShape& expected) {
     std::error_code code;
     if (!std::filesystem::exists(path, code)) return Error{"no such file", path.string()};
     if (!std::filesystem::is_regular_file(path, code)) return Error{"not a plain file", path.string()};
     try {
-        Result<ExrFile> file = read_unguarded(path);
+        Result<ExrFile> file = read_unguarded(path, expected);
         if (!file.ok()) return Error{file.error().what, path.string()};
         return file;
     } catch (const std::exception& problem) {

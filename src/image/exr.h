@@ -33,7 +33,15 @@ struct ExrFile {
     int find_channel(const std::string& name) const;
 };
 
-Result<ExrFile> read_exr(const std::filesystem::path& path);
+// What a reader expects; 0: anything.
+struct ExrShape {
+    int width = 0;
+    int height = 0;
+    int channels = 0;
+};
+// Error, too, where the header says another shape, or pixels beyond 16 times its picture: before there is
+// memory for any.
+Result<ExrFile> read_exr(const std::filesystem::path& path, const ExrShape& expected = {});
 
 // Channel k of file.pixels is written as file.channels[k]. ZIP compression (lossless). Finite values beyond
 // the range of half are stored as its largest, 65504.

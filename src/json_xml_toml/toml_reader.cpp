@@ -330,6 +330,10 @@ std::vector<const toml::table*> TableReader::tables(const std::string& key, std:
     return result;
 }
 
+std::string TableReader::did_you_mean(std::string_view word, std::span<const std::string> candidates) {
+    return report_.suggestions.did_you_mean(word, candidates);
+}
+
 void TableReader::finish() {
     for (const auto& [key, node] : table_) {
         const std::string name(key.str());

@@ -10,7 +10,9 @@
 #include <glm/glm.hpp>
 #include <map>
 #include <optional>
+#include <span>
 #include <string>
+#include <string_view>
 #include <toml++/toml.h>
 #include <vector>
 
@@ -57,6 +59,8 @@ public:
     void missing(const std::string& key, const std::string& expectation);
     void problem(Severity severity, const std::string& key, const std::string& what);
     void finish();
+    // As of all that goes to this report: base/suggest.h, Suggestions.
+    std::string did_you_mean(std::string_view word, std::span<const std::string> candidates);
 
     int line() const;                                // of the table
     int line_of(const std::string& key) const;       // of the key's value, or of the table

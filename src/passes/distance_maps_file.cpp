@@ -4,6 +4,7 @@
 #include "base/check.h"
 #include "beam_groups/light_places.h"
 #include "disk/files.h"
+#include "disk/own_folder.h"
 #include "image/exr.h"
 #include "json_xml_toml/json.h"
 #include "passes/passes_file.h"
@@ -23,6 +24,7 @@ namespace {
 using nlohmann::json;
 
 constexpr std::uintmax_t kMaxStageBytes = std::uintmax_t{256} << 20;
+constexpr std::uintmax_t kMostMapBytes = std::uintmax_t{32} << 20; // of a map's file, beside its texels
 constexpr std::size_t kMaxInstances = 1000000;
 constexpr std::size_t kInstanceKeyDigits = 16;
 constexpr std::size_t kKeyDigits = 32;
@@ -36,10 +38,6 @@ bool is_key(std::string_view text, std::size_t digits) {
 std::string attribute(const image::ExrFile& file, const char* name) {
     const auto found = file.text.find(name);
     return found == file.text.end() ? std::string() : found->second;
-}
-
-std::string size_text(int width, int height) {
-    return std::to_string(width) + " x " + std::to_string(height) + " pixels";
 }
 
 bool is_missing(const fs::path& path) {
@@ -108,14 +106,10 @@ Result<void> write_distance_map(const fs::path& path, int size, const StoredDist
 
 Result<std::optional<StoredDistanceMap>> read_distance_map(const fs::path& path, int size) {
     if (is_missing(path)) return std::optional<StoredDistanceMap>();
-    auto file = image::read_exr(path);
+    auto file = image::read_exr(path, {size, size, 1});
     if (!file.ok()) return Error{file.error().what + kMadeAgain, file.error().where};
     const image::ImageF& pixels = file->pixels;
     const auto wrong = [&](const std::string& what) { return Error{what + kMadeAgain, path.string()}; };
-    if (pixels.width != size || pixels.height != size || pixels.channels != 1)
-        return wrong("is " + size_text(pixels.width, pixels.height) + " of " +
-                     std::to_string(pixels.channels) + " channels, expected " + size_text(size, size) +
-                     " of one");
     StoredDistanceMap map;
     map.place = attribute(*file, "ghost.place");
     map.stage = attribute(*file, "ghost.stage");
@@ -202,6 +196,26 @@ Result<void> write_distance_stage(const Show& show, int size, const DistanceStag
     const fs::path folder = distance_folder(show, size);
     TRY_VOID(make_folders(folder, show.cache_home()));
     return write_file_atomic(folder / kStageFile, distance_stage_text(stage));
+}
+
+void copy_distance_maps(const Show& from, const Show& to, int size, const std::function<bool()>& stop) {
+    const fs::path here = distance_folder(from, size), there = distance_folder(to, size);
+    const auto maps = OwnFolder::open(here, from.cache_home());
+    if (!maps.ok() || !make_folders(there, to.cache_home()).ok()) return;
+    std::set<std::string> wanted;
+    for (const DistancePlace& place : distance_places(from, size))
+        wanted.insert(place.file.filename().string());
+    const std::uintmax_t texels = static_cast<std::uintmax_t>(size) * static_cast<std::uintmax_t>(size);
+    for (const OwnFolder::File& file : maps->entries().files) {
+        if (stop()) return;
+        const bool is_stage = file.name == kStageFile;
+        if (!is_stage && !wanted.contains(file.name)) continue;
+        std::error_code code;
+        const std::uintmax_t bytes = fs::file_size(here / file.name, code);
+        if (code || bytes > (is_stage ? kMaxStageBytes : kMostMapBytes + sizeof(float) * texels)) continue;
+        fs::remove(there / file.name, code); // a link would be written through
+        fs::copy_file(here / file.name, there / file.name, code);
+    }
 }
 
 } // namespace ghost::scene

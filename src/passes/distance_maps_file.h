@@ -8,6 +8,7 @@
 #include "passes/distance_maps.h"
 
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -67,5 +68,9 @@ Result<DistanceStage> parse_distance_stage(std::string_view text, const std::str
 // No value: there is no such file.
 Result<std::optional<DistanceStage>> read_distance_stage(const std::filesystem::path& folder);
 Result<void> write_distance_stage(const Show& show, int size, const DistanceStage& stage);
+
+// The maps that `from` wants and its stage, copied to where `to` has its own of that size. What else lies
+// there is not, nor a file that is larger than one of them can be. stop: asked before each.
+void copy_distance_maps(const Show& from, const Show& to, int size, const std::function<bool()>& stop);
 
 } // namespace ghost::scene

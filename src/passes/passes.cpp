@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "passes/passes.h"
 
+#include "base/memory.h"
 #include "passes/passes_file.h"
+
+#include <algorithm>
 
 namespace ghost::scene {
 namespace {
@@ -33,8 +36,27 @@ int Passes::find(const std::string& fixture, int stop) const {
     return -1;
 }
 
+Result<void> check_light_memory(std::uint64_t texels, std::size_t lights, const std::filesystem::path& where,
+                                std::uint64_t free_bytes) {
+    constexpr std::uint64_t kBytesPerTexel = 4 * sizeof(std::uint16_t);
+    const std::uint64_t bytes = texels * lights * kBytesPerTexel;
+    if (free_bytes == 0 || bytes <= free_bytes) return {};
+    return Error{"the pictures of its " + std::to_string(lights) + " lights need " +
+                     std::to_string(bytes >> 20) + " MB of memory, and " + std::to_string(free_bytes >> 20) +
+                     " are free: fewer lights or a smaller picture need less",
+                 where.string()};
+}
+
 Result<Passes> load_passes(const std::filesystem::path& folder, bool with_radiance, Report& report) {
     TRY(const PassManifest manifest, read_manifest(folder));
+    if (with_radiance) {
+        const auto pixels =
+            static_cast<std::uint64_t>(manifest.width) * static_cast<std::uint64_t>(manifest.height);
+        const bool any_indirect = std::any_of(manifest.lights.begin(), manifest.lights.end(),
+                                              [](const ManifestLight& light) { return light.indirect; });
+        TRY_VOID(check_light_memory(pixels * (any_indirect ? 2 : 1) + manifest.extra_count,
+                                    manifest.lights.size(), folder, free_memory_bytes()));
+    }
     const std::filesystem::path pictures = folder / manifest.folder;
     TRY(FragmentTable table, read_fragments(pictures, manifest));
 

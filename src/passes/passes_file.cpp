@@ -88,11 +88,7 @@ Result<void> write_picture(const fs::path& path, int width, int height, std::spa
 Result<std::vector<glm::vec3>> read_picture(const fs::path& path, int width, int height, float scale,
                                             const std::string& key, Report& report,
                                             const image::Chromaticities* assumed) {
-    TRY(const image::ExrFile file, image::read_exr(path));
-    if (file.pixels.width != width || file.pixels.height != height)
-        return Error{"is " + std::to_string(file.pixels.width) + " x " + std::to_string(file.pixels.height) +
-                         " pixels, expected " + std::to_string(width) + " x " + std::to_string(height),
-                     path.string()};
+    TRY(const image::ExrFile file, image::read_exr(path, {width, height, 0}));
     if (const auto found = file.text.find(kKeyAttribute);
         !key.empty() && (found == file.text.end() || found->second != key))
         return Error{"belongs to another bake than manifest.json says; run `ghostlight bake` again",
@@ -187,14 +183,10 @@ Result<void> write_fragments(const fs::path& folder, const FragmentTable& table)
 
 Result<FragmentTable> read_fragments(const fs::path& folder, const PassManifest& manifest) {
     const fs::path path = exr_path(folder, "fragments");
-    TRY(const image::ExrFile file, image::read_exr(path));
     const std::size_t pixels =
         static_cast<std::size_t>(manifest.width) * static_cast<std::size_t>(manifest.height);
     const int rows = rows_for(pixels + manifest.extra_count, manifest.width);
-    if (file.pixels.width != manifest.width || file.pixels.height != rows)
-        return Error{"is " + std::to_string(file.pixels.width) + " x " + std::to_string(file.pixels.height) +
-                         " pixels, expected " + std::to_string(manifest.width) + " x " + std::to_string(rows),
-                     path.string()};
+    TRY(const image::ExrFile file, image::read_exr(path, {manifest.width, rows, 0}));
     int channel[5];
     const char* names[5] = {"X", "Y", "Z", "coverage", "pixel"};
     for (int k = 0; k < 5; ++k) {

@@ -76,6 +76,11 @@ std::string manifest_text(const PassManifest& manifest);
 Result<PassManifest> parse_manifest(std::string_view text, const std::string& where);
 Result<PassManifest> read_manifest(const std::filesystem::path& folder);
 
+// Before any is read, for each is a copy even of one file. texels: of one light. Error: all of them are more
+// than is free. free_bytes 0: nobody knows.
+Result<void> check_light_memory(std::uint64_t texels, std::size_t lights, const std::filesystem::path& where,
+                                std::uint64_t free_bytes);
+
 // Half float, nearest; beyond the range: the largest.
 std::uint16_t to_half(float value);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "passes/passes_foreign.h"
 
+#include "base/memory.h"
 #include "image/exr.h"
 #include "image/finite.h"
 #include "json_xml_toml/toml_reader.h"
@@ -174,6 +175,7 @@ Result<Passes> load_foreign_passes(const std::filesystem::path& toml, Report& re
     passes.camera_to_world = foreign.camera_to_world;
     passes.fov_y_deg = foreign.fov_y_deg;
     TRY_VOID(read_positions(folder / foreign.position, foreign.y_up, passes, report));
+    TRY_VOID(check_light_memory(passes.pixel_count(), foreign.lights.size(), toml, free_memory_bytes()));
     passes.extra_first.assign(passes.pixel_count() + 1, 0);
     passes.ambient.assign(passes.pixel_count(), glm::vec4(0.0f));
     for (const ForeignLight& entry : foreign.lights) {

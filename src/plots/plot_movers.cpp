@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "plots/private/plot_movers.h"
 
+#include "base/name_index.h"
 #include "base/print.h"
 #include "base/text.h"
 #include "disk/files.h"
@@ -12,6 +13,7 @@
 #include <map>
 #include <optional>
 #include <set>
+#include <utility>
 #include <vector>
 
 namespace ghost::scene {
@@ -91,6 +93,11 @@ Result<std::size_t> export_movers(const std::string& show_toml, const Plot& plot
                                   Report& report) {
     TRY(const TomlText document, TomlText::parse(show_toml));
     const std::vector<Named> objects = named_objects(plot);
+    NameIndex fixture_names, object_names;
+    for (std::size_t k = 0; k < objects.size(); ++k)
+        if (!objects[k].uuid.empty())
+            (objects[k].is_fixture ? fixture_names : object_names).add(objects[k].name, k);
+    std::uint64_t steps = kMostMatchSteps;
     std::string movers, carried;
     std::size_t count = 0;
     std::set<std::string> said;
@@ -101,17 +108,19 @@ Result<std::size_t> export_movers(const std::string& show_toml, const Plot& plot
         std::string block = document.text().substr(span.begin, span.end - span.begin);
         if (block.empty() || block.back() != '\n') block += '\n';
         movers += "\n" + block;
-        for (const char* const key : {"fixtures", "objects"})
+        for (const auto& [key, names] :
+             {std::pair{"fixtures", &fixture_names}, std::pair{"objects", &object_names}})
             for (const std::string& pattern : names_in(*mover, key))
-                for (const Named& object : objects)
-                    if (object.is_fixture == (std::string(key) == "fixtures") && !object.uuid.empty() &&
-                        matches(pattern, object.name) && said.insert(uuid_key(object.uuid)).second)
+                for (const std::size_t k : names->find(pattern, steps))
+                    if (said.insert(uuid_key(objects[k].uuid)).second)
                         carried += "\n" + block_of("[[carried]]",
-                                                   {{"name", toml_text(object.name)},
-                                                    {"uuid", toml_text(object.uuid)}},
+                                                   {{"name", toml_text(objects[k].name)},
+                                                    {"uuid", toml_text(objects[k].uuid)}},
                                                    "\n");
     }
     if (count == 0) return count;
+    if (steps == 0)
+        report.add(Severity::error, plot_file.string(), std::string("[[mover]] ") + kMatchStepsSpent);
     const fs::path file = movers_file(plot_file);
     const std::string text =
         "# Movers of " + one_line(plot_file.filename().string()) +

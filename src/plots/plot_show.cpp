@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "plots/plot_show.h"
 
+#include "base/name_index.h"
 #include "base/text.h"
 #include "fixture/patch.h"
 #include "fixture_files/common/wall_type.h"
@@ -12,6 +13,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <set>
@@ -155,7 +157,9 @@ public:
     void finish(Report& report) {
         types_.finish();
         unpack_media(show_, report);
-        for (std::size_t k = 0; k < walls_.size(); ++k)
+        if (steps_ == 0)
+            report.add(Severity::error, walls_.front().where, std::string("[[wall]] ") + kMatchStepsSpent);
+        for (std::size_t k = 0; k < walls_.size() && steps_ > 0; ++k)
             if (!was_used_[k])
                 report.add(Severity::warning, walls_[k].where,
                            "[[wall]] name: the plot has no screen '" + walls_[k].name.substr(0, 60) + "'");
@@ -254,7 +258,7 @@ private:
         LedWall wall;
         bool says_media = false;
         for (std::size_t k = 0; k < walls_.size(); ++k) {
-            if (!matches(walls_[k].name, name)) continue;
+            if (!matches(walls_[k].name, name, steps_)) continue;
             wall = walls_[k].wall;
             was_used_[k] = says_media = true;
         }
@@ -355,7 +359,8 @@ private:
     KnownFixtures known_;
     PlotTypes types_;
     const std::vector<WallSettings>& walls_;
-    std::vector<bool> was_used_; // of walls_
+    std::vector<bool> was_used_;            // of walls_
+    std::uint64_t steps_ = kMostMatchSteps; // that are left to compare their names
     Report& report_;
     Names names_;
     std::vector<glm::dmat4> worlds_; // per object, with child positions

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <cstring>
 #include <map>
 #include <set>
@@ -113,7 +114,8 @@ ReadCompanion member_reader(LoadedPlot& loaded) {
 
 class PlotStage {
 public:
-    PlotStage(LoadedPlot& loaded, Stage& stage) : loaded_(loaded), stage_(stage), materials_(stage) {
+    PlotStage(LoadedPlot& loaded, Stage& stage, std::uint64_t most_mesh_bytes = kMostMeshBytes)
+        : loaded_(loaded), stage_(stage), materials_(stage), mesh_bytes_left_(most_mesh_bytes) {
         for (const Texture& texture : stage.textures) picture_bytes_ += texture.pixels.samples.size();
     }
 
@@ -151,6 +153,11 @@ public:
 
     void finish(Report& report) const {
         messages_.give(report);
+        if (not_read_ > 0)
+            report.add(Severity::error, loaded_.name,
+                       std::to_string(not_read_) + (not_read_ == 1 ? " mesh file is" : " mesh files are") +
+                           " left out: the others need all of the " + std::to_string(kMostMeshBytes >> 30) +
+                           " GiB that the meshes of a plot may have");
         if (!flat_.empty())
             report.add(Severity::error, loaded_.name,
                        "objects whose placement has no volume are left out: " + name_list(flat_));
@@ -186,6 +193,10 @@ private:
 
     std::vector<Instance> read(const PlotMesh& mesh) {
         if (mesh.member.empty()) return {}; // the reader of the plot has said so
+        if (not_read_ > 0) {                // who reads on to find a smaller one may read for hours
+            ++not_read_;
+            return {};
+        }
         const std::string name = loaded_.name + ": " + mesh.member;
         Report of_mesh;
         const auto model = [&]() -> Result<Stage> {
@@ -203,6 +214,12 @@ private:
         }
         messages_.take(of_mesh);
         if (!loaded.ok()) return {};
+        const std::uint64_t bytes = mesh_bytes_of(*loaded);
+        if (bytes > mesh_bytes_left_) {
+            ++not_read_;
+            return {};
+        }
+        mesh_bytes_left_ -= bytes;
         picture_bytes_ += bytes_of(*loaded);
         const std::size_t first_material = stage_.materials.size();
         const std::size_t first_mesh = stage_.meshes.size();
@@ -218,6 +235,15 @@ private:
     static std::size_t bytes_of(const Stage& model) {
         std::size_t bytes = 0;
         for (const Texture& texture : model.textures) bytes += texture.pixels.samples.size();
+        return bytes;
+    }
+
+    static std::uint64_t mesh_bytes_of(const Stage& model) {
+        std::uint64_t bytes = 0;
+        for (const Mesh& mesh : model.meshes)
+            bytes += (mesh.positions.size() + mesh.normals.size()) * sizeof(glm::vec3) +
+                     mesh.tangents.size() * sizeof(glm::vec4) + mesh.uvs.size() * sizeof(glm::vec2) +
+                     mesh.indices.size() * sizeof(std::uint32_t);
         return bytes;
     }
 
@@ -237,6 +263,8 @@ private:
     std::size_t drawn_ = 0;
     std::size_t left_out_ = 0;
     std::size_t picture_bytes_ = 0;
+    std::uint64_t mesh_bytes_left_;
+    std::size_t not_read_ = 0; // mesh files
 };
 
 } // namespace
@@ -327,7 +355,8 @@ std::optional<ScreenPlane> screen_plane(LoadedPlot& loaded, int object, const gl
 }
 
 Result<void> add_plot_stage(LoadedPlot& loaded, const std::vector<bool>& shown, const glm::dvec3& origin_m,
-                            Stage& stage, Report& report, const ShowLoading& loading) {
+                            Stage& stage, Report& report, const ShowLoading& loading,
+                            std::uint64_t most_mesh_bytes) {
     std::vector<MeshInstance> instances;
     for (std::size_t k = 0; k < loaded.plot.objects.size(); ++k) {
         const ObjectKind kind = loaded.plot.objects[k].kind;
@@ -336,7 +365,7 @@ Result<void> add_plot_stage(LoadedPlot& loaded, const std::vector<bool>& shown, 
         const std::vector<MeshInstance> own = mesh_instances(loaded.plot, static_cast<int>(k));
         instances.insert(instances.end(), own.begin(), own.end());
     }
-    PlotStage plot_stage(loaded, stage);
+    PlotStage plot_stage(loaded, stage, most_mesh_bytes);
     const std::size_t step = std::max<std::size_t>(1, instances.size() / 100);
     for (std::size_t k = 0; k < instances.size(); ++k) {
         if (k % step == 0) {

@@ -14,6 +14,7 @@
 
 #include <glm/glm.hpp>
 
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
@@ -37,9 +38,14 @@ inline bool is_far(const glm::vec3& place_m) {
     return glm::any(glm::greaterThan(glm::abs(place_m), glm::vec3(most_m)));
 }
 
+// Vertices and triangles of all meshes of a plot, in memory: more than 20 million triangles, which are drawn,
+// ever need.
+inline constexpr std::uint64_t kMostMeshBytes = std::uint64_t{4} << 30;
+
 // shown: per object, of shown_objects. Error: stopped by loading.stop.
 Result<void> add_plot_stage(LoadedPlot& loaded, const std::vector<bool>& shown, const glm::dvec3& origin_m,
-                            Stage& stage, Report& report, const ShowLoading& loading);
+                            Stage& stage, Report& report, const ShowLoading& loading,
+                            std::uint64_t most_mesh_bytes = kMostMeshBytes);
 
 // The rectangle that the mesh of a screen is: its shortest side is taken as its depth, its front looks to
 // where more of its faces look, or, where that is even, down its frame's shortest axis.

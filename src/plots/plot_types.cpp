@@ -100,6 +100,7 @@ std::shared_ptr<const fixture::Type> PlotTypes::read(const PlotGdtf& gdtf, const
         report_.add(Severity::error, loaded_.name + ": " + file.name.string(), "has no DMX mode" + who);
         return nullptr;
     }
+    pictures_.take(loaded->type, loaded_.name + ": " + file.name.string(), report_);
     return std::make_shared<const fixture::Type>(std::move(loaded->type));
 }
 
@@ -148,10 +149,11 @@ void PlotTypes::forgive(const PlotGdtf& gdtf, const std::string& instead) {
         }
 }
 
-const SubstituteEntry* PlotTypes::substitute_for(const PlotGdtf& gdtf) const {
-    for (const SubstituteEntry& entry : substitutes_)
-        for (const std::string& name : {gdtf.spec, gdtf.member})
-            if (!name.empty() && matches(lower(entry.spec), lower(name))) return &entry;
+const SubstituteEntry* PlotTypes::substitute_for(const PlotGdtf& gdtf) {
+    const std::string names[] = {lower(gdtf.spec), lower(gdtf.member)};
+    for (std::size_t k = 0; k < substitutes_.size(); ++k)
+        for (const std::string& name : names)
+            if (!name.empty() && matches(specs_[k], name, steps_)) return &substitutes_[k];
     return nullptr;
 }
 
@@ -191,6 +193,9 @@ fs::path PlotTypes::file_of(const PlotDevice& device) {
 }
 
 void PlotTypes::finish() {
+    if (steps_ == 0)
+        report_.add(Severity::error, substitutes_.front().where,
+                    std::string("[[substitute]] ") + kMatchStepsSpent);
     for (const auto& [key, wrong] : wrong_modes_)
         report_.add(wrong.severity, wrong.where,
                     wrong.what +

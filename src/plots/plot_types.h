@@ -4,10 +4,14 @@
 // the folder of the plot. Each file is read once; faults are said once, with how many fixtures have them.
 // One thread.
 
+#include "base/name_index.h"
 #include "base/report.h"
+#include "base/text.h"
+#include "fixture_files/common/picture_budget.h"
 #include "mvr/mvr_load.h"
 #include "show/plot_entries.h"
 
+#include <cstdint>
 #include <filesystem>
 #include <map>
 #include <memory>
@@ -28,7 +32,9 @@ class PlotTypes {
 public:
     PlotTypes(LoadedPlot& loaded, std::filesystem::path folder,
               const std::vector<SubstituteEntry>& substitutes, Report& report)
-        : loaded_(loaded), folder_(std::move(folder)), substitutes_(substitutes), report_(report) {}
+        : loaded_(loaded), folder_(std::move(folder)), substitutes_(substitutes), report_(report) {
+        for (const SubstituteEntry& entry : substitutes) specs_.push_back(lower(entry.spec));
+    }
 
     // Of fixtures that this plot had before. Of files that none of them is of only substitutes are read from
     // now on, for the archive is read by who opens the plot; other fixtures have no type.
@@ -64,13 +70,16 @@ private:
     File& file(int gdtf);
     std::filesystem::path beside(const std::string& spec) const;
     std::shared_ptr<const fixture::Type> read(const PlotGdtf& gdtf, const File& file);
-    const SubstituteEntry* substitute_for(const PlotGdtf& gdtf) const;
+    const SubstituteEntry* substitute_for(const PlotGdtf& gdtf);
     void forgive(const PlotGdtf& gdtf, const std::string& instead);
 
     LoadedPlot& loaded_;
     std::filesystem::path folder_;
     const std::vector<SubstituteEntry>& substitutes_;
+    std::vector<std::string> specs_;        // of substitutes_, in small letters
+    std::uint64_t steps_ = kMostMatchSteps; // that are left to compare them
     Report& report_;
+    fixture::PictureBudget pictures_;
     std::map<int, File> files_;
     // By Plot::gdtf_files and File::name.
     using KnownFiles = std::map<std::pair<int, std::filesystem::path>, std::shared_ptr<const fixture::Type>>;

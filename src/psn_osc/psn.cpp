@@ -5,6 +5,9 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <functional>
+#include <iterator>
+#include <string_view>
 #include <tuple>
 #include <utility>
 
@@ -92,24 +95,38 @@ void Trackers::expect(std::set<std::uint16_t> ids, std::set<std::string> names) 
     expected_names_ = std::move(names);
 }
 
-bool Trackers::is_expected(std::uint16_t id, const Tracker& tracker) const {
-    return expected_ids_.contains(id) || expected_names_.contains(tracker.name);
+std::map<std::uint16_t, Tracker>::iterator Trackers::least_needed(std::chrono::nanoseconds now) {
+    using Heard = std::pair<std::chrono::nanoseconds, std::uint16_t>;
+    std::map<std::string_view, std::array<Heard, kMostOfAName>> last; // the last ones first
+    for (const auto& [id, tracker] : trackers_) {
+        if (!expected_names_.contains(tracker.name)) continue;
+        auto& heard = last.try_emplace(tracker.name).first->second;
+        if (const Heard one{tracker.seen, id}; one > heard.back()) {
+            heard.back() = one;
+            std::sort(heard.begin(), heard.end(), std::greater<>());
+        }
+    }
+    const auto worth = [&](std::uint16_t id, const Tracker& one) {
+        const auto of_name = last.find(one.name);
+        const bool is_needed = expected_ids_.contains(id) ||
+                               (of_name != last.end() && Heard{one.seen, id} >= of_name->second.back());
+        return std::tuple(is_needed, now - one.seen > kTrackerForgotten ? 0 : one.heard, one.seen);
+    };
+    auto least = trackers_.begin();
+    auto least_worth = worth(least->first, least->second);
+    for (auto it = std::next(least); it != trackers_.end(); ++it)
+        if (const auto its = worth(it->first, it->second); its < least_worth) {
+            least = it;
+            least_worth = its;
+        }
+    return least;
 }
 
 Tracker* Trackers::find_or_add(std::uint16_t id, std::chrono::nanoseconds now, int& newcomers) {
     const auto found = trackers_.find(id);
     if (found == trackers_.end() && trackers_.size() >= kMostTrackers) {
         if (!expected_ids_.contains(id) && newcomers-- <= 0) return nullptr;
-        const auto worth = [&](const auto& entry) {
-            const Tracker& one = entry.second;
-            return std::tuple(is_expected(entry.first, one),
-                              now - one.seen > kTrackerForgotten ? 0 : one.heard, one.seen);
-        };
-        const auto least =
-            std::min_element(trackers_.begin(), trackers_.end(),
-                             [&](const auto& a, const auto& b) { return worth(a) < worth(b); });
-        if (is_expected(least->first, least->second)) return nullptr;
-        trackers_.erase(least);
+        trackers_.erase(least_needed(now));
     }
     Tracker& tracker = trackers_[id];
     tracker.seen = now;

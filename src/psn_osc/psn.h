@@ -21,6 +21,7 @@ inline constexpr std::uint32_t kPsnGroup = 0xEC0A0A0A; // 236.10.10.10
 inline constexpr std::uint16_t kPsnPort = 56565;
 inline constexpr std::size_t kMostTrackers = 1024;
 inline constexpr std::size_t kMostTrackerName = 128;         // bytes
+inline constexpr std::size_t kMostOfAName = 2;               // trackers of one name that keep their places
 inline constexpr std::chrono::seconds kTrackerForgotten{60}; // where others want its place
 
 struct PsnPosition {
@@ -46,7 +47,8 @@ struct Tracker {
 
 // At most kMostTrackers: a new one takes the place of one that is silent for kTrackerForgotten, else of the
 // one that was heard of least, so that no number of others drives out those that go on; never of one that is
-// expected.
+// expected: of a show's numbers, which are fewer than there are places, and of each of its names the
+// kMostOfAName that were heard last, for anybody may take a name.
 class Trackers {
 public:
     // Those that a show names, whether they are there or not.
@@ -59,7 +61,8 @@ public:
 
 private:
     Tracker* find_or_add(std::uint16_t id, std::chrono::nanoseconds now, int& newcomers);
-    bool is_expected(std::uint16_t id, const Tracker& tracker) const;
+    // Whose place a new one takes; there is one.
+    std::map<std::uint16_t, Tracker>::iterator least_needed(std::chrono::nanoseconds now);
 
     std::map<std::uint16_t, Tracker> trackers_;
     std::set<std::uint16_t> expected_ids_;

@@ -2,17 +2,19 @@
 // What a show has for its movers: parents, channels of fixtures, and what is carried.
 #include "show/movers.h"
 
+#include "base/name_index.h"
 #include "base/suggest.h"
-#include "base/text.h"
 #include "dmx/wire/universes.h"
 #include "show/show.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <set>
 #include <span>
 #include <string_view>
 #include <unordered_map>
 #include <utility>
+#include <vector>
 
 namespace ghost::scene {
 namespace {
@@ -157,23 +159,26 @@ void find_channel(const Show& show, const Names& names, const Mover& mover, Move
 // Loads of one kind, each carried by the first that names it.
 template <class Thing>
 void load(std::vector<Thing>& things, const Names& names, const std::vector<Mover>& movers, const char* kind,
-          const std::vector<std::string> Mover::*patterns, Sentences& sentences) {
+          const std::vector<std::string> Mover::*patterns, std::uint64_t& steps, Sentences& sentences) {
     for (Thing& thing : things) thing.mover = kNoMover;
+    NameIndex index;
+    for (std::size_t k = 0; k < things.size(); ++k) index.add(things[k].name, k);
     std::vector<int> said(things.size(), kNoMover); // of which mover last
     for (std::size_t m = 0; m < movers.size(); ++m) {
         const int mover = static_cast<int>(m);
         for (const std::string& pattern : movers[m].*patterns) {
-            bool found = false;
-            for (std::size_t k = 0; k < things.size(); ++k) {
-                if (!matches(pattern, things[k].name)) continue;
-                found = true;
+            if (steps == 0) return;
+            const std::vector<std::size_t> found = index.find(pattern, steps);
+            for (const std::size_t k : found) {
                 int& by = things[k].mover;
                 if (by == kNoMover) by = mover;
                 if (by != mover && std::exchange(said[k], mover) != mover)
                     sentences.add_taken(movers[m], kind, things[k].name,
                                         movers[static_cast<std::size_t>(by)]);
             }
-            if (!found)
+            if (steps == 0)
+                sentences.add(movers[m].where, called(movers[m]) + " " + kMatchStepsSpent);
+            else if (found.empty())
                 sentences.add_unknown(movers[m].where,
                                       called(movers[m]) + " carries " + kind + " " + short_name(pattern) +
                                           ", which the show does not have",
@@ -188,10 +193,26 @@ const std::string* mesh_name(const Stage& stage, const Instance& instance) {
     return &stage.meshes[static_cast<std::size_t>(instance.mesh)].name;
 }
 
+// Objects of a stage, by their names and by those of their meshes.
+struct StageNames {
+    NameIndex by_name, by_mesh;
+    std::uint64_t steps = kMostMatchSteps;
+
+    StageNames(const Stage& stage, bool with_fixtures) {
+        for (std::size_t k = 0; k < stage.instances.size(); ++k) {
+            const Instance& instance = stage.instances[k];
+            if (!with_fixtures && instance.fixture != kNone) continue;
+            by_name.add(instance.name, k);
+            if (const std::string* const mesh = mesh_name(stage, instance)) by_mesh.add(*mesh, k);
+        }
+    }
+};
+
 // For each instance its mover. taken(m, instance): m names one that another carries. missing(m, pattern): no
-// instance has such a name.
+// instance has such a name; is_spent: nobody knows, nor of those after it.
 template <class Taken, class Missing>
 std::vector<int> carriers(const Show& show, const Stage& stage, const Taken& taken, const Missing& missing) {
+    StageNames named(stage, false);
     std::vector<int> result(stage.instances.size(), kNoMover);
     std::unordered_map<std::string_view, int> walls; // their panels are objects of the stage
     for (const PatchedFixture& fixture : show.fixtures)
@@ -204,22 +225,20 @@ std::vector<int> carriers(const Show& show, const Stage& stage, const Taken& tak
             result[k] = wall->second;
     }
     // As [[object]] does: the name of the object, else that of its mesh.
-    const auto carry = [&](std::size_t m, const std::string& pattern, bool by_mesh) {
-        bool found = false;
-        for (std::size_t k = 0; k < result.size(); ++k) {
-            const Instance& instance = stage.instances[k];
-            if (instance.fixture != kNone) continue;
-            const std::string* const name = by_mesh ? mesh_name(stage, instance) : &instance.name;
-            if (!name || !matches(pattern, *name)) continue;
-            found = true;
+    const auto carry = [&](std::size_t m, const std::string& pattern, const NameIndex& names) {
+        const std::vector<std::size_t> found = names.find(pattern, named.steps);
+        for (const std::size_t k : found) {
             if (result[k] == kNoMover) result[k] = static_cast<int>(m);
             if (result[k] != static_cast<int>(m)) taken(m, k);
         }
-        return found;
+        return !found.empty();
     };
     for (std::size_t m = 0; m < show.movers.size(); ++m)
-        for (const std::string& pattern : show.movers[m].objects)
-            if (!carry(m, pattern, false) && !carry(m, pattern, true)) missing(m, pattern);
+        for (const std::string& pattern : show.movers[m].objects) {
+            if (!carry(m, pattern, named.by_name) && !carry(m, pattern, named.by_mesh))
+                missing(m, pattern, named.steps == 0);
+            if (named.steps == 0) return result;
+        }
     return result;
 }
 
@@ -227,21 +246,22 @@ std::vector<int> carriers(const Show& show, const Stage& stage, const Taken& tak
 void check_tracked(const Show& show, const Stage& stage, const std::vector<int>& movers,
                    Sentences& sentences) {
     std::set<std::string_view> said;
-    for (const TrackerUse& use : show.tracking.uses)
+    StageNames named(stage, true);
+    for (const TrackerUse& use : show.tracking.uses) {
+        std::vector<bool> is_named(movers.size(), false);
+        for (const std::string& pattern : use.objects)
+            for (const NameIndex* const names : {&named.by_name, &named.by_mesh})
+                for (const std::size_t k : names->find(pattern, named.steps)) is_named[k] = true;
         for (std::size_t k = 0; k < movers.size(); ++k) {
-            if (movers[k] == kNoMover) continue;
+            if (!is_named[k] || movers[k] == kNoMover) continue;
             const Instance& instance = stage.instances[k];
-            const std::string* const mesh = mesh_name(stage, instance);
-            const auto names_it = [&](const std::string& pattern) {
-                return matches(pattern, instance.name) || (mesh && matches(pattern, *mesh));
-            };
-            if (std::none_of(use.objects.begin(), use.objects.end(), names_it)) continue;
             if (said.insert(instance.name).second)
                 sentences.add(use.where,
                               "[[tracker]] object " + short_name(instance.name) + " goes with mover " +
                                   short_name(show.movers[static_cast<std::size_t>(movers[k])].name) +
                                   "; the tracker does not move it");
         }
+    }
 }
 
 } // namespace
@@ -261,14 +281,15 @@ void check_movers(Show& show, Report& report) {
                        called(mover) + (mover.kind == MoverKind::hoists ? " has no truss" : " has no load") +
                            ", expected fixtures, objects or cameras = a list of names");
     }
-    load(show.fixtures, fixtures, show.movers, "fixture", &Mover::fixtures, sentences);
-    load(show.cameras, names_of(show.cameras), show.movers, "camera", &Mover::cameras, sentences);
+    std::uint64_t steps = kMostMatchSteps;
+    load(show.fixtures, fixtures, show.movers, "fixture", &Mover::fixtures, steps, sentences);
+    load(show.cameras, names_of(show.cameras), show.movers, "camera", &Mover::cameras, steps, sentences);
     sentences.end();
 }
 
 std::vector<int> movers_of_instances(const Show& show, const Stage& stage) {
     return carriers(
-        show, stage, [](std::size_t, std::size_t) {}, [](std::size_t, const std::string&) {});
+        show, stage, [](std::size_t, std::size_t) {}, [](std::size_t, const std::string&, bool) {});
 }
 
 void check_moved_objects(const Show& show, const Stage& stage, Report& report) {
@@ -283,8 +304,9 @@ void check_moved_objects(const Show& show, const Stage& stage, Report& report) {
         [&](std::size_t m, std::size_t instance) {
             if (said[m].insert(stage.instances[instance].name).second) taken.emplace_back(m, instance);
         },
-        [&](std::size_t m, const std::string& pattern) {
+        [&](std::size_t m, const std::string& pattern, bool is_spent) {
             const Mover& mover = show.movers[m];
+            if (is_spent) return sentences.add(mover.where, called(mover) + " " + kMatchStepsSpent);
             sentences.add_unknown(mover.where,
                                   called(mover) + " carries object " + short_name(pattern) +
                                       ", which the stage does not have",

@@ -7,6 +7,8 @@
 
 #include <algorithm>
 #include <array>
+#include <set>
+#include <string_view>
 
 namespace ghost::scene {
 namespace {
@@ -87,16 +89,19 @@ void check_tracking(const Show& show, Report& report) {
     Suggestions suggestions;
     for (const Camera& camera : show.cameras) cameras.push_back(camera.name);
     for (const PatchedFixture& fixture : show.fixtures) fixtures.push_back(fixture.name);
-    const auto check = [&](const TrackerUse& use, const std::string& name,
+    const std::set<std::string_view> known_cameras(cameras.begin(), cameras.end()),
+        known_fixtures(fixtures.begin(), fixtures.end());
+    const auto check = [&](const TrackerUse& use, const std::string& name, const auto& is_known,
                            const std::vector<std::string>& known, const char* kind) {
-        if (std::find(known.begin(), known.end(), name) == known.end())
+        if (!is_known.contains(name))
             report.add(Severity::error, use.where,
                        std::string("[[tracker]] names ") + kind + " '" + name.substr(0, 60) +
                            "', which the show does not have" + suggestions.did_you_mean(name, known));
     };
     for (const TrackerUse& use : show.tracking.uses) {
-        if (!use.camera.empty()) check(use, use.camera, cameras, "camera");
-        for (const std::string& fixture : use.fixtures) check(use, fixture, fixtures, "fixture");
+        if (!use.camera.empty()) check(use, use.camera, known_cameras, cameras, "camera");
+        for (const std::string& fixture : use.fixtures)
+            check(use, fixture, known_fixtures, fixtures, "fixture");
     }
 }
 

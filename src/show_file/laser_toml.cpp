@@ -21,7 +21,7 @@ void read_kind(TableReader& reader, fixture::LaserCurve& figure) {
     const std::vector<std::string> names(fixture::kFigureNames.begin(), fixture::kFigureNames.end());
     reader.problem(Severity::error, "figure",
                    "is '" + name->substr(0, 40) + "', expected beam, fan, grid, ring, line, circle or wave" +
-                       did_you_mean(*name, names) + "; it is beam");
+                       reader.did_you_mean(*name, names) + "; it is beam");
 }
 
 } // namespace

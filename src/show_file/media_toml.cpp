@@ -55,7 +55,7 @@ int read_medium(TableReader& reader, Show& show) {
         if (media < 0)
             reader.problem(Severity::error, "media",
                            "names '" + name->substr(0, 40) + "', which no [[media]] has" +
-                               did_you_mean(*name, names_of(show.media)) + "; it shows a test card");
+                               reader.did_you_mean(*name, names_of(show.media)) + "; it shows a test card");
     }
     return media < 0 ? test_card(show) : media;
 }

@@ -21,6 +21,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 #include <utility>
 
 namespace ghost::scene {
@@ -194,11 +195,11 @@ void check_hidden(const Show& show, const std::vector<std::string>& hidden, bool
         if (layers) names.push_back(layer.name);
     for (const PlotName& plot_class : show.plot->plot.classes)
         if (!layers) names.push_back(plot_class.name);
+    std::set<std::string> known;
+    for (const std::string& name : names) known.insert(lower(name));
     Suggestions suggestions;
     for (const std::string& name : hidden) {
-        const bool known = std::any_of(names.begin(), names.end(),
-                                       [&](const std::string& other) { return lower(other) == lower(name); });
-        if (!known)
+        if (!known.contains(lower(name)))
             report.add(Severity::warning, where,
                        std::string(layers ? "[show] hide_layers: the plot has no layer '"
                                           : "[show] hide_classes: the plot has no class '") +

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "show_folder/private/show_types.h"
 
+#include "base/name_index.h"
 #include "base/suggest.h"
 #include "base/text.h"
+#include "fixture_files/common/picture_budget.h"
 #include "fixture_files/ies_ldt/photometric.h"
 #include "fixture_files/load_type.h"
 #include "json_xml_toml/toml_reader.h"
@@ -10,6 +12,7 @@
 #include "show_folder/private/made_types.h"
 
 #include <cmath>
+#include <cstdint>
 #include <utility>
 
 namespace ghost::scene {
@@ -67,11 +70,13 @@ public:
             report.add(Severity::error, where, path.string() + ": has no DMX mode; its fixtures stay dark");
             return nullptr;
         }
+        pictures_.take(loaded->type, path.string(), report);
         return entry->second = std::make_shared<const fixture::Type>(std::move(loaded->type));
     }
 
 private:
     KnownTypes types_;
+    fixture::PictureBudget pictures_;
     Suggestions suggestions_;
 };
 
@@ -146,13 +151,17 @@ void load_shapes(ParsedShow& parsed, Report& report) {
     Show& show = parsed.show;
     const std::string file = show.file.string();
     std::vector<bool> was_used(parsed.photometry.size(), false);
+    std::vector<std::string> specs;
+    for (const PhotometryEntry& entry : parsed.photometry) specs.push_back(lower(entry.spec));
+    std::uint64_t steps = kMostMatchSteps;
     for (std::size_t k = 0; k < show.fixtures.size(); ++k) {
         PatchedFixture& fixture = show.fixtures[k];
         fs::path path = k < parsed.sources.size() ? parsed.sources[k].photometry : fs::path{};
         std::string where = path.empty() ? "" : file_line(file, parsed.sources[k].photometry_line);
+        const std::string of_fixture = lower(fixture.gdtf.filename().string());
         for (std::size_t e = 0; e < parsed.photometry.size(); ++e) {
             const PhotometryEntry& entry = parsed.photometry[e];
-            if (!matches(lower(entry.spec), lower(fixture.gdtf.filename().string()))) continue;
+            if (!matches(specs[e], of_fixture, steps)) continue;
             was_used[e] = true;
             if (!path.empty()) continue; // the fixture's own, or the first that fits
             path = entry.file;
@@ -165,6 +174,9 @@ void load_shapes(ParsedShow& parsed, Report& report) {
         else
             fixture.shape = library.find(show.folder / path, where, report);
     }
+    if (steps == 0)
+        return report.add(Severity::error, parsed.photometry.front().where,
+                          std::string("[[photometry]] ") + kMatchStepsSpent);
     for (std::size_t e = 0; e < parsed.photometry.size(); ++e)
         if (!was_used[e])
             report.add(Severity::warning, parsed.photometry[e].where,

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "stage/overrides.h"
 
+#include "base/name_index.h"
 #include "base/suggest.h"
 #include "base/text.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
 #include <map>
 #include <set>
 #include <utility>
@@ -32,17 +35,17 @@ std::vector<std::string> names_of(const Stage& stage) {
 
 // ", did you mean ...": the name that matches but for capitals, or the nearest.
 std::string near_name(const std::vector<std::string>& names, const std::string& pattern,
-                      Suggestions& suggestions) {
+                      Suggestions& suggestions, std::uint64_t& steps) {
     const std::string small = lower(pattern);
     for (const std::string& name : names)
-        if (matches(small, lower(name))) return ", did you mean '" + name + "'? (capitals count)";
+        if (matches(small, lower(name), steps)) return ", did you mean '" + name + "'? (capitals count)";
     std::string letters;
     for (const char c : pattern)
         if (c != '*' && c != '?') letters += c;
     std::string near = suggestions.did_you_mean(letters, names);
     if (!near.empty() || letters.empty()) return near;
     for (const std::string& name : names)
-        if (matches("*" + small + "*", lower(name))) return ", did you mean '" + name + "'?";
+        if (matches("*" + small + "*", lower(name), steps)) return ", did you mean '" + name + "'?";
     return "";
 }
 
@@ -80,22 +83,25 @@ void change(Material& material, const ObjectSettings& settings) {
 class Overrides {
 public:
     explicit Overrides(Stage& stage)
-        : stage_(stage), looks_(1), look_of_(stage.instances.size(), 0), move_of_(stage.instances.size()) {}
+        : stage_(stage), looks_(1), look_of_(stage.instances.size(), 0), move_of_(stage.instances.size()) {
+        for (std::size_t k = 0; k < stage.instances.size(); ++k) {
+            if (!has_mesh(k)) continue;
+            names_[0].add(stage.instances[k].name, k);
+            names_[1].add(stage.meshes[mesh_index(k)].name, k);
+            names_[2].add(stage.materials[material_index(k)].name, k);
+        }
+    }
 
     // False where nothing has this name.
-    bool add(const ObjectSettings& settings, std::size_t number) {
-        for (const auto& name_of :
-             {&Overrides::object_name, &Overrides::mesh_name, &Overrides::material_name}) {
-            bool any = false;
-            for (std::size_t k = 0; k < stage_.instances.size(); ++k) {
-                const std::string* name = has_mesh(k) ? (this->*name_of)(k) : nullptr;
-                if (!name || !matches(settings.name, *name)) continue;
-                any = true;
+    bool add(const ObjectSettings& settings, std::size_t number, std::uint64_t& steps) {
+        for (const NameIndex& names : names_) {
+            const std::vector<std::size_t> found = names.find(settings.name, steps);
+            for (const std::size_t k : found) {
                 if (settings.shown) stage_.instances[k].shown = *settings.shown;
                 if (settings.move_m) move_of_[k] = *settings.move_m;
                 if (changes_surface(settings)) look_of_[k] = next_look(look_of_[k], settings, number);
             }
-            if (any) return true;
+            if (!found.empty()) return true;
         }
         return false;
     }
@@ -145,11 +151,6 @@ private:
     bool has_mesh(std::size_t k) const {
         return mesh_index(k) < stage_.meshes.size() && material_index(k) < stage_.materials.size();
     }
-    const std::string* object_name(std::size_t k) const { return &stage_.instances[k].name; }
-    const std::string* mesh_name(std::size_t k) const { return &stage_.meshes[mesh_index(k)].name; }
-    const std::string* material_name(std::size_t k) const {
-        return &stage_.materials[material_index(k)].name;
-    }
 
     Look next_look(Look look, const ObjectSettings& settings, std::size_t number) {
         const auto [known, is_new] = next_.try_emplace({look, number}, static_cast<Look>(looks_.size()));
@@ -170,6 +171,7 @@ private:
     }
 
     Stage& stage_;
+    std::array<NameIndex, 3> names_; // of objects, meshes, materials: views of stage_, until finish()
     std::vector<ObjectSettings> looks_;
     std::map<std::pair<Look, std::size_t>, Look> next_; // a look and the entry on top of it
     std::vector<Look> look_of_;                         // per instance
@@ -187,13 +189,19 @@ void apply_objects(Stage& stage, const std::vector<ObjectSettings>& objects, Rep
     Overrides overrides(stage);
     const std::vector<std::string> names = names_of(stage);
     Suggestions suggestions;
+    std::uint64_t steps = kMostMatchSteps, to_suggest = kMostMatchSteps / 10;
     for (std::size_t k = 0; k < objects.size(); ++k) {
         const ObjectSettings& settings = objects[k];
-        if (!overrides.add(settings, k))
+        const bool is_there = overrides.add(settings, k, steps);
+        if (steps == 0) {
+            report.add(Severity::error, settings.where, std::string("[[object]] ") + kMatchStepsSpent);
+            break;
+        }
+        if (!is_there)
             report.add(Severity::warning, settings.where,
                        "[[object]] name '" + settings.name.substr(0, 80) +
                            "' is that of no object, mesh or material of the stage" +
-                           near_name(names, settings.name, suggestions));
+                           near_name(names, settings.name, suggestions, to_suggest));
     }
     overrides.finish();
 }

@@ -57,6 +57,14 @@ Result<void> XchangePeer::refill() {
     return {};
 }
 
+// Who reads slowly but always something leaves out_ never empty. Half of it at a time, so that each byte is
+// moved about once.
+void XchangePeer::drop_sent() {
+    if (out_sent_ <= out_.size() / 2) return;
+    out_.erase(0, out_sent_);
+    out_sent_ = 0;
+}
+
 Result<void> XchangePeer::send_what_goes(double now_s) {
     if (!has_to_send()) sent_s_ = now_s;
     if (overfull_ || waiting_bytes() > kMostUnread) return Error{"does not read what it is sent", ""};
@@ -72,6 +80,7 @@ Result<void> XchangePeer::send_what_goes(double now_s) {
         if (!sent) return Error{};
         if (*sent > 0) sent_s_ = now_s;
         out_sent_ += *sent;
+        drop_sent();
         if (*sent == 0) break;
     }
     if (now_s - sent_s_ > kNoProgress_s) return Error{"does not read what it is sent", ""};

@@ -186,6 +186,7 @@ void Xchange::Loop::fetch_wanted() {
             fetch.station = connection->name;
             connection->fetch = std::move(fetch);
         } else {
+            had_.erase(wanted.commit.file_uuid); // its station may come
             --taken_files_;
             tell(XchangeEvent::Kind::trouble, "",
                  "a plot was offered by a station that cannot be reached (" + wanted.commit.file_name + ")");

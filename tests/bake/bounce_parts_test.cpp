@@ -16,6 +16,8 @@
 #include <atomic>
 #include <map>
 #include <optional>
+#include <string>
+#include <vector>
 
 namespace ghost::bake {
 namespace {
@@ -150,6 +152,28 @@ TEST_F(BouncePartsTest, APartThatIsTooLargeIsSaid) {
     fs::resize_file(links().parent_path() / "normal.near-0.part", (std::uintmax_t{256} << 20) + 1); // sparse
     EXPECT_TRUE(make(2));
     EXPECT_TRUE(failure_);
+}
+
+// Each by itself is small enough, as parts of two runs, or of a show that was made so.
+TEST_F(BouncePartsTest, PartsAreReadUpToTheLimitOfAllOfThem) {
+    const scene::FoundLink link{0, 0, 1, 1};
+    std::vector<std::vector<scene::FoundLink>> rows(1);
+    rows[0].assign((std::size_t{200} << 20) / sizeof link, link);
+    for (const std::size_t first : {0u, 1u})
+        scene::BounceParts(links(), folder_.path, kKey).keep(false, first, rows, {});
+    ASSERT_EQ(kept().size(), 2u);
+    rows[0] = {};
+    scene::BounceLevel level;
+    level.surfels.resize(1); // of which node 1 is none: what is read is not of use, but it is read
+    scene::BounceParts parts(links(), folder_.path, kKey);
+    (void)parts.take(level, false, 1, rows, {});
+    const auto first = parts.take_failure();
+    EXPECT_FALSE(first && first->text().find("all parts together") != std::string::npos);
+    (void)parts.take(level, false, 0, rows, {});
+    const auto second = parts.take_failure();
+    ASSERT_TRUE(second.has_value());
+    EXPECT_NE(second->text().find("and all parts together have at most 268435456"), std::string::npos)
+        << second->text();
 }
 
 } // namespace

@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include <stdexcept>
+
 namespace ghost::gpu {
 namespace {
 
@@ -28,6 +30,23 @@ TEST(NeededLimits, WhatIsOnlyMadeUseOfMayBeLow) {
         {.lowered_limits = {{"maxImageArrayLayers", 256}, {"timestampComputeAndGraphics", 0}}}));
     EXPECT_EQ(device->limits().image_layers, 256u);
     EXPECT_FALSE(device->limits().timestamps);
+}
+
+TEST(NeededLimits, APictureBeyondTheDeviceIsSaidInNumbers) {
+    const UsedLimits limits{.image_layers = 2048, .image_side = 16384};
+    EXPECT_EQ(beyond_limits(limits, 16384, 1, 2048), "");
+    EXPECT_EQ(beyond_limits(limits, 1, 16384, 1), "");
+    EXPECT_EQ(beyond_limits(limits, 30004, 2, 768),
+              "pictures of 30004 x 2 in 768 layers, and this device has them up to 16384 a side and 2048 "
+              "layers");
+    EXPECT_NE(beyond_limits(limits, 1, 16385, 1), "");
+    EXPECT_NE(beyond_limits(limits, 12, 12, 2049), "");
+}
+
+// By its callers a driver fault ends the picture, not the program.
+TEST(NeededLimits, ACallThatFailsIsThrown) {
+    EXPECT_THROW(vulkan_failed("vkCreateImage", "texture.cpp", 1, VK_ERROR_FORMAT_NOT_SUPPORTED),
+                 std::runtime_error);
 }
 
 } // namespace

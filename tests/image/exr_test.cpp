@@ -225,6 +225,40 @@ TEST(Exr, AFewBytesDoNotAskForAHugePictureAroundALargeOne) {
         << read.error().text();
 }
 
+// 63 million pixels in a file that is long enough for them, where a reader wants 16 x 16: no memory for them.
+TEST(Exr, AnotherShapeThanExpectedIsRefusedByTheHeader) {
+    ExrFile small;
+    small.pixels = ImageF(16, 16, 2);
+    small.channels = {"A", "B"};
+    const std::filesystem::path path = exr_scratch("shape.exr");
+    ASSERT_TRUE(write_exr(path, small, ExrSample::full).ok());
+    EXPECT_TRUE(read_exr(path, {16, 16, 2}).ok());
+    EXPECT_TRUE(read_exr(path, {16, 16, 0}).ok());
+    const auto channels = read_exr(path, {16, 16, 1});
+    ASSERT_FALSE(channels.ok());
+    EXPECT_NE(channels.error().text().find("shape.exr: has 2 channels, expected 1"), std::string::npos)
+        << channels.error().text();
+    const auto whole = *read_file(path, 1u << 20);
+    const std::vector<std::uint8_t> window{0, 0, 0, 0, 0, 0, 0, 0, 15, 0, 0, 0, 15, 0, 0, 0};
+    const auto error_of = [&](std::initializer_list<std::string> enlarged) {
+        auto bytes = whole;
+        for (const std::string& name : enlarged) {
+            const auto named = std::search(bytes.begin(), bytes.end(), name.begin(), name.end());
+            const auto at = std::search(named, bytes.end(), window.begin(), window.end());
+            at[9] = at[13] = 0x1F; // 7,952 a side
+        }
+        bytes.resize(bytes.size() + 8 * 7952); // the table of its rows
+        EXPECT_TRUE(write_file_atomic(path, bytes).ok());
+        std::filesystem::resize_file(path, 1u << 20); // long enough: a hole
+        const auto read = read_exr(path, {16, 16, 0});
+        return read.ok() ? std::string("read") : read.error().text();
+    };
+    const std::string picture = error_of({"dataWindow", "displayWindow"}), around = error_of({"dataWindow"});
+    EXPECT_NE(picture.find("is 7952 x 7952 pixels, expected 16 x 16"), std::string::npos) << picture;
+    EXPECT_NE(around.find("holds 63234304 pixels, but its picture has 256 of them"), std::string::npos)
+        << around;
+}
+
 TEST(Exr, AnAttributeIsNoLongerThanItsFile) {
     ExrFile small;
     small.pixels = ImageF(16, 16, 1);

@@ -268,6 +268,33 @@ TEST(mvr_hostile, depth_counts_and_messages_have_limits) {
     EXPECT_TRUE(says(late->report, {"more than 100000 objects", "2000 times"})) << messages_of(late->report);
 }
 
+// Each missing name is compared with each that is there: letters enough for minutes, of which the first few
+// names get theirs.
+TEST(mvr_hostile, missing_names_of_a_whole_plot_share_one_budget) {
+    constexpr int kNames = 2000;
+    const auto name = [](int number, char letter) {
+        return "Lamp " + std::to_string(10'000 + number) + " " + std::string(50, letter) + ".gdtf";
+    };
+    std::string fixtures;
+    Members members;
+    for (int k = 0; k < kNames; ++k) {
+        fixtures +=
+            "<Fixture uuid='" + std::to_string(k) + "'><GDTFSpec>" + name(k, 'a') + "</GDTFSpec></Fixture>";
+        members.push_back({name(k + kNames, 'a'), "x"});
+    }
+    const auto loaded = load_description(small_xml(fixtures), std::move(members));
+    ASSERT_TRUE(loaded.ok());
+    std::size_t missing = 0, suggested = 0;
+    for (const Message& message : loaded->report.messages) {
+        if (message.what.find("is not in the archive") == std::string::npos) continue;
+        ++missing;
+        suggested += message.what.find("did you mean") == std::string::npos ? 0 : 1;
+    }
+    EXPECT_GE(missing, 400u);
+    EXPECT_GT(suggested, 0u);
+    EXPECT_LT(suggested, 50u) << messages_of(loaded->report).substr(0, 2000);
+}
+
 TEST(mvr_hostile, uuids_links_and_texts) {
     const auto loaded = load_description(
         small_xml(

@@ -13,6 +13,8 @@
 #include <memory>
 #include <numeric>
 #include <random>
+#include <set>
+#include <string>
 #include <unistd.h>
 
 namespace ghost::scene {
@@ -190,6 +192,29 @@ TEST_F(DistanceFiles, WhatIsWrittenIsRead) {
     const auto read = read_distance_stage(distance_folder(show, kSize));
     ASSERT_TRUE(read.ok() && read->has_value());
     EXPECT_TRUE(**read == stage);
+}
+
+// What a show brings there may be anything, of any size: a hole of a terabyte is a few bytes in an archive.
+TEST_F(DistanceFiles, OnlyMapsOfTheShowAreCopied) {
+    namespace fs = std::filesystem;
+    ASSERT_TRUE(write_distance_stage(show, kSize, stage).ok());
+    for (std::size_t k = 0; k < 3; ++k) write(k, stored(k));
+    fs::resize_file(places[1].file, std::uintmax_t{64} << 20);
+    std::ofstream(distance_folder(show, kSize) / "x") << "no map";
+    std::ofstream(distance_folder(show, kSize) / "nobody_0.exr") << "no map";
+    Show moved = show;
+    moved.cache_name = "tracked";
+    copy_distance_maps(show, moved, kSize, [] { return true; });
+    const fs::path there = distance_folder(moved, kSize);
+    EXPECT_TRUE(!fs::exists(there) || fs::is_empty(there)) << "stopped";
+    copy_distance_maps(show, moved, kSize, [] { return false; });
+    std::set<std::string> copied;
+    for (const auto& entry : fs::directory_iterator(there)) copied.insert(entry.path().filename().string());
+    EXPECT_EQ(copied, (std::set<std::string>{"stage.json", places[0].file.filename().string(),
+                                             places[2].file.filename().string()}));
+    const auto map = read_distance_map(there / places[0].file.filename(), kSize);
+    ASSERT_TRUE(map.ok() && map->has_value());
+    EXPECT_EQ((*map)->distance, stored(0).distance);
 }
 
 TEST_F(DistanceFiles, OnlyWhatFitsPlaceAndStageIsLoaded) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Passes from disk: our own folder and passes.toml, whole and damaged.
+#include "base/memory.h"
 #include "image/exr.h"
 #include "passes/passes.h"
 #include "passes/passes_file.h"
@@ -217,6 +218,35 @@ TEST_F(PassesFiles, AManifestOfTooMuchIsRefused) {
     refused(read_manifest(folder_), "more than the limit of 16777216");
 }
 
+// Each light is a copy of its picture, even where all of them name one small file. Nothing is read for it:
+// what lacks here would be said otherwise.
+TEST_F(PassesFiles, LightsThatMemoryDoesNotHoldAreNotRead) {
+    constexpr int kWidth = 4096, kHeight = 2048;
+    constexpr std::uint64_t kBytes = std::uint64_t{8} * kWidth * kHeight * kMaxLightPasses;
+    EXPECT_TRUE(check_light_memory(std::uint64_t{kWidth} * kHeight, kMaxLightPasses, "p", kBytes).ok());
+    EXPECT_TRUE(check_light_memory(std::uint64_t{kWidth} * kHeight, kMaxLightPasses, "p", 0).ok());
+    const auto refused =
+        check_light_memory(std::uint64_t{kWidth} * kHeight, kMaxLightPasses, "p", kBytes - 1);
+    ASSERT_FALSE(refused.ok());
+    EXPECT_NE(
+        refused.error().text().find("p: the pictures of its 2047 lights need 131008 MB of memory, and 131007 "
+                                    "are free"),
+        std::string::npos)
+        << refused.error().text();
+
+    if (free_memory_bytes() == 0 || free_memory_bytes() > kBytes)
+        GTEST_SKIP() << "this machine has the memory, or does not say";
+    write_baked();
+    manifest_.width = kWidth;
+    manifest_.height = kHeight;
+    manifest_.lights.assign(kMaxLightPasses, manifest_.lights.front());
+    text("manifest.json", manifest_text(manifest_));
+    Report report;
+    const auto passes = load_passes(folder_, true, report);
+    ASSERT_FALSE(passes.ok());
+    EXPECT_NE(passes.error().text().find("lights need "), std::string::npos) << passes.error().text();
+}
+
 TEST_F(PassesFiles, ManifestNamesStayInTheirFolder) {
     for (const char* name : {"../x", "/etc/passwd", "", ".hidden", "a\\b"}) {
         manifest_.width = manifest_.height = 2;
@@ -276,6 +306,24 @@ TEST_F(PassesFiles, ForeignPassesAreTurnedAndScaled) {
     EXPECT_TRUE(passes->lights[1].radiance.empty());
     EXPECT_NE(all_messages(report).find("passes.toml:12"), std::string::npos) << all_messages(report);
     EXPECT_NE(all_messages(report).find("'Spot 2' is dark"), std::string::npos);
+}
+
+TEST_F(PassesFiles, ForeignLightsThatMemoryDoesNotHoldAreNotRead) {
+    constexpr int kWidth = 4096, kHeight = 2048;
+    constexpr std::uint64_t kBytes = std::uint64_t{8} * kWidth * kHeight * kMaxLightPasses;
+    if (free_memory_bytes() == 0 || free_memory_bytes() > kBytes)
+        GTEST_SKIP() << "this machine has the memory, or does not say";
+    std::string toml = std::string(kToml).substr(0, std::string(kToml).find("[[light]]"));
+    for (std::size_t k = 0; k < kMaxLightPasses; ++k)
+        toml += "[[light]]\nname = \"a\"\nfile = \"l.exr\"\nposition_m = [0, 0, 0]\n";
+    text("passes.toml", toml);
+    picture("P.exr", kWidth, kHeight, std::vector<float>(std::size_t{3} * kWidth * kHeight, 1.0f), 3);
+    Report report;
+    const auto foreign = load_foreign_passes(folder_ / "passes.toml", report);
+    ASSERT_FALSE(foreign.ok());
+    EXPECT_NE(foreign.error().text().find("passes.toml: the pictures of its 2047 lights need 131008 MB"),
+              std::string::npos)
+        << foreign.error().text();
 }
 
 TEST(ForeignPasses, FaultsHaveLines) {

@@ -8,6 +8,7 @@
 #include "light/rig.h"
 #include "plots/plot_changes.h"
 #include "plots/plot_show.h"
+#include "plots/plot_stage.h"
 #include "plots/plot_types.h"
 #include "show_folder/load_show.h"
 
@@ -439,6 +440,38 @@ TEST(PlotShow, StageOfSymbolsInMirrorsAndMillimetres) {
     const auto stage_again = read_stage(show, again);
     ASSERT_TRUE(stage_again.ok());
     EXPECT_EQ(stage_again->instances.size(), 2u);
+}
+
+// A mesh of some MB may unpack to a gigabyte, and a plot has as many as it likes.
+TEST(PlotShow, MeshesOfAPlotHaveAnEndTogether) {
+    Report report;
+    const std::string sails[] = {"<Geometry3D fileName=\"Sail.glb\"/>",
+                                 "<Geometry3D fileName=\"Sail2.glb\"/>",
+                                 "<Geometry3D fileName=\"Sail3.glb\"/>"};
+    std::string objects;
+    for (int k = 0; k < 3; ++k)
+        objects += object_xml(40 + k, "Sail " + std::to_string(k), kIdentity + "{0,0,0}", sails[k]);
+    const std::string glb = text_of(TinyGlb{}.bytes());
+    const Show show =
+        opened_xml("meshes", small_xml(objects, ""), report, {{"Sail2.glb", glb}, {"Sail3.glb", glb}});
+    ASSERT_EQ(show.stage.instances.size(), 3u) << messages_of(report);
+    const Mesh& mesh = show.stage.meshes[0];
+    const std::uint64_t bytes = (mesh.positions.size() + mesh.normals.size()) * sizeof(glm::vec3) +
+                                mesh.tangents.size() * sizeof(glm::vec4) +
+                                mesh.uvs.size() * sizeof(glm::vec2) +
+                                mesh.indices.size() * sizeof(std::uint32_t);
+    const std::vector<bool> shown(show.plot->plot.objects.size(), true);
+    for (const std::uint64_t most : {3 * bytes, 3 * bytes - 1, bytes, bytes - 1}) {
+        Stage stage;
+        Report said;
+        ASSERT_TRUE(add_plot_stage(*show.plot, shown, {}, stage, said, {}, most).ok());
+        EXPECT_EQ(stage.instances.size(), most / bytes) << most;
+        EXPECT_EQ(stage.meshes.size(), most / bytes) << most;
+        EXPECT_EQ(
+            says(said, {std::to_string(3 - most / bytes) + " mesh file", "left out: the others need all"}),
+            most < 3 * bytes)
+            << messages_of(said);
+    }
 }
 
 TEST(PlotShow, ChannelsThatAreSharedAreSaidWithTheirPlaces) {

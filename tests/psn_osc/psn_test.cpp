@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <bit>
 #include <filesystem>
 #include <fstream>
@@ -160,6 +161,37 @@ TEST(Psn, forged_ids_that_go_on_do_not_lock_out_those_that_a_show_names) {
         ASSERT_TRUE(trackers.find("Singer")) << frame;
     }
     EXPECT_EQ(trackers.all().size(), kMostTrackers);
+}
+
+// One packet, which gives a thousand numbers the name that a show asks for.
+TEST(Psn, forged_names_do_not_lock_real_ones_out) {
+    Trackers trackers;
+    trackers.expect({7}, {"Singer", "Dancer"});
+    PsnPacket forged;
+    for (std::uint16_t id = 1000; id < 1000 + kMostTrackers; ++id) forged.names[id] = "Singer";
+    trackers.feed(forged, 1s);
+    ASSERT_EQ(trackers.all().size(), kMostTrackers);
+    trackers.feed({{{7, {1, 2, 3}}, {8, {4, 5, 6}}, {9, {7, 8, 9}}}, {{8, "Singer"}, {9, "Dancer"}}}, 2s);
+    EXPECT_TRUE(trackers.find(7)) << "a number that the show names";
+    EXPECT_EQ(trackers.find("Singer"), trackers.find(8));
+    EXPECT_TRUE(trackers.find("Dancer"));
+    trackers.feed({{{10, {1, 1, 1}}}, {}}, 2s);
+    EXPECT_TRUE(trackers.find(10)) << "one that the show does not name";
+    const auto later = [&](std::chrono::nanoseconds now) {
+        for (std::uint16_t first = 3000; first < 3000 + 2 * kMostTrackers; first += 4) {
+            PsnPacket packet;
+            for (std::uint16_t id = first; id < first + 4; ++id) packet.positions.push_back({id, {9, 9, 9}});
+            trackers.feed(packet, now);
+        }
+    };
+    later(3s);
+    later(200s);
+    EXPECT_TRUE(trackers.find(7)) << "those that a show names stay, even where they are silent";
+    EXPECT_TRUE(trackers.find("Singer"));
+    EXPECT_TRUE(trackers.find("Dancer"));
+    EXPECT_EQ(std::count_if(trackers.all().begin(), trackers.all().end(),
+                            [](const auto& entry) { return entry.second.name == "Singer"; }),
+              static_cast<std::ptrdiff_t>(kMostOfAName));
 }
 
 // What the reference encoder sends: four trackers, three seconds.

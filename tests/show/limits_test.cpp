@@ -129,5 +129,15 @@ TEST(ShowLimits, ListsAndTexts) {
     }
 }
 
+TEST(ShowLimits, UnknownKeysAreNotListedWithoutEnd) {
+    std::string text;
+    for (int k = 0; k < 30'000; ++k) text += "k" + std::to_string(k) + " = 1\n";
+    const Report report = of_show(text + "[haze]\nalbedo = \"much\"\n");
+    EXPECT_LT(report.messages.size(), kMostReported + 10);
+    EXPECT_TRUE(has_said(report, "more messages are not listed, but the first of each kind"))
+        << all_said(report);
+    EXPECT_TRUE(report.lost_anything()) << "what is rare is among them";
+}
+
 } // namespace
 } // namespace ghost::scene

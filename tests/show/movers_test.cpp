@@ -393,6 +393,32 @@ TEST(MoverFile, thousands_of_wrong_names_are_counted) {
               "3800 more names of [[mover]] entries are wrong; they are not listed");
 }
 
+TEST(MoverFile, patterns_that_nearly_match_have_an_end_which_is_said) {
+    Show show = with_movers();
+    Stage stage;
+    for (int k = 0; k < 200; ++k) {
+        const std::string name = std::string(4090, 'a') + std::to_string(k);
+        show.fixtures.emplace_back().name = name;
+        stage.instances.push_back({.name = name, .mesh = -1});
+    }
+    const std::string nearly = "*" + std::string(998, 'a') + "b";
+    show.movers[0].fixtures = {"*aa7", nearly, nearly, nearly};
+    show.movers[1].fixtures = {"*aa8"};
+    show.movers[0].objects = {"*aa7", nearly, nearly, nearly};
+    show.movers[1].objects = {"*aa8"};
+    show.tracking.uses.push_back({.id = 1, .objects = {nearly, nearly, nearly}});
+    Report report;
+    check_movers(show, report);
+    EXPECT_EQ(show.fixtures[7].mover, 0);
+    EXPECT_EQ(count(report, "has more patterns with * and ? than can be compared"), 1u);
+    Report of_stage;
+    check_moved_objects(show, stage, of_stage);
+    EXPECT_EQ(count(of_stage, "has more patterns with * and ? than can be compared"), 1u);
+    const std::vector<int> movers = movers_of_instances(show, stage);
+    EXPECT_EQ(movers[7], 0);
+    EXPECT_EQ(movers[8], kNoMover) << "as is said of those after it";
+}
+
 TEST(MoverFile, names_are_kept_once_and_end_at_the_limit_of_all) {
     std::string names = "objects = [";
     for (int k = 0; k < 9000; ++k) names += "\"x" + std::to_string(k) + "\", ";

@@ -34,6 +34,33 @@ TEST(Matches, StarsAndQuestionMarks) {
     EXPECT_FALSE(matches("?", ""));
 }
 
+// Each of ten entries would take seconds by itself, and a show may have a thousand, for a hundred times as
+// many objects.
+TEST(Overrides, PatternsThatNearlyMatchManyNamesHaveAnEndWhichIsSaid) {
+    Stage stage;
+    stage.materials.resize(1);
+    stage.meshes.resize(1);
+    stage.meshes[0].material = 0;
+    for (int k = 0; k < 200; ++k)
+        stage.instances.push_back({.name = std::string(4090, 'a') + std::to_string(k), .mesh = 0});
+    std::vector<ObjectSettings> objects(10);
+    for (std::size_t k = 0; k < objects.size(); ++k) {
+        objects[k].name = "*" + std::string(998, 'a') + "b";
+        objects[k].where = "show.toml:" + std::to_string(k + 1);
+    }
+    objects[0].name = "*aa7";
+    objects[0].shown = false;
+    Report report;
+    apply_objects(stage, objects, report);
+    EXPECT_FALSE(stage.instances[7].shown);
+    ASSERT_EQ(report.messages.size(), 1u);
+    EXPECT_EQ(report.messages[0].where, "show.toml:2");
+    EXPECT_EQ(report.messages[0].severity, Severity::error);
+    EXPECT_NE(report.messages[0].what.find("[[object]] has more patterns with * and ? than"),
+              std::string::npos)
+        << report.messages[0].what;
+}
+
 TEST(Matches, ManyStarsTakeNoTime) {
     const std::string name(1000, 'a');
     std::string pattern;

@@ -11,7 +11,9 @@
 #include <fstream>
 #include <thread>
 
+#include <sys/inotify.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 namespace ghost::video {
 namespace {
@@ -49,11 +51,21 @@ TEST_F(CameraTest, OnlyVideoDevicesAreOpened) {
     const fs::path pipe = folder / "pipe";
     ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
     std::ofstream(folder / "file") << "text";
+    // Opening alone does something to many a device.
+    const int opened = ::inotify_init1(IN_NONBLOCK);
+    ASSERT_GE(opened, 0);
+    for (const fs::path& other : {pipe, folder / "file"})
+        ASSERT_GE(::inotify_add_watch(opened, other.c_str(), IN_OPEN), 0);
     for (const fs::path& other : {fs::path("/dev/null"), fs::path("/dev/tty"), pipe, folder / "file"}) {
         const auto camera = Camera::open(other);
         ASSERT_FALSE(camera.ok());
         EXPECT_NE(camera.error().what.find("is no video device"), std::string::npos) << camera.error().text();
     }
+    char events[1024];
+    EXPECT_LT(::read(opened, events, sizeof events), 0) << "one of them was opened";
+    std::ifstream(folder / "file").get();
+    EXPECT_GT(::read(opened, events, sizeof events), 0) << "which would have been seen";
+    ::close(opened);
 }
 
 TEST_F(CameraTest, ADeviceIsOpenedWhenTheUserHasAllowedIt) {

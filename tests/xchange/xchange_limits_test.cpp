@@ -90,6 +90,40 @@ TEST(XchangePeer, answers_that_nobody_reads_have_an_end) {
     EXPECT_LT(most, 5u << 20);
 }
 
+// Somebody who reads as fast as he asks, and never all of it.
+TEST(XchangePeer, what_was_sent_is_not_kept) {
+    const auto listener = dmx::TcpListener::open(0x7F000001, 0);
+    ASSERT_TRUE(listener.ok());
+    auto visitor = dmx::TcpStream::connect(dmx::IpAddress(0x7F000001), (*listener)->port());
+    ASSERT_TRUE(visitor.ok());
+    std::unique_ptr<dmx::TcpStream> stream;
+    for (int k = 0; k < 10'000 && !(stream = (*listener)->accept()); ++k) std::this_thread::sleep_for(1ms);
+    ASSERT_TRUE(stream);
+    XchangePeer peer(std::move(stream), 0);
+    scene::XchangeMessage answer;
+    answer.type = "MVR_JOIN_RET";
+    answer.commits.resize(200);
+    for (scene::XchangeCommit& commit : answer.commits) commit.comment = std::string(200, 'x');
+    const XchangePeer::Sink nobody{[](const scene::XchangeMessage&) {},
+                                   [](Bytes, bool) -> Result<void> { return {}; }};
+    constexpr std::size_t kWaits = 2u << 20, kRead = 96u << 20, kMostKept = 12u << 20;
+    std::size_t read = 0, most = 0;
+    for (int round = 0; round < 100'000 && read < kRead; ++round) {
+        while (peer.waiting_bytes() < kWaits) peer.say(answer);
+        const Result<void> turned = peer.turn(0, nobody);
+        ASSERT_TRUE(turned.ok()) << turned.error().text();
+        most = std::max(most, peer.memory_bytes());
+        for (int k = 0; k < 8; ++k) {
+            const auto bytes = (*visitor)->read();
+            ASSERT_TRUE(bytes.has_value());
+            if (bytes->empty()) break;
+            read += bytes->size();
+        }
+    }
+    EXPECT_GE(read, kRead);
+    EXPECT_LT(most, kMostKept);
+}
+
 TEST(XchangeStations, plots_of_ever_new_numbers_are_counted) {
     const Folder folder;
     std::atomic<int> requests{0};
@@ -124,6 +158,40 @@ TEST(XchangeStations, plots_of_ever_new_numbers_are_counted) {
     const auto said = wait_for(*b, Kind::trouble);
     ASSERT_TRUE(said.has_value());
     EXPECT_NE(said->text.find("more plots at once than are taken"), std::string::npos) << said->text;
+}
+
+// Half a minute is what such a plot is waited for.
+TEST(XchangeStations, a_plot_of_a_station_that_comes_late_is_asked_for_when_it_is_offered_again) {
+    const Folder folder;
+    std::atomic<int> requests{0};
+    const Forged forged([&](const scene::XchangeMessage& message) -> std::string {
+        if (message.type == "MVR_JOIN")
+            return package(R"({"Type":"MVR_JOIN_RET","OK":true,"StationUUID":"f"})");
+        if (message.type == "MVR_REQUEST") ++requests;
+        return package(R"({"Type":"MVR_REQUEST_RET","OK":false})");
+    });
+    XchangeOptions options = station("B");
+    options.save = folder.path / "come";
+    options.peers = {at(forged.port())};
+    const auto b = start(options);
+    ASSERT_TRUE(wait_for(*b, Kind::joined).has_value());
+    std::vector<std::unique_ptr<dmx::TcpStream>> visitors;
+    const auto offer = [&](const std::string& station) {
+        visitors.push_back(must(dmx::TcpStream::connect(dmx::IpAddress(0x7F000001), b->port())));
+        std::this_thread::sleep_for(300ms); // until it is connected
+        const std::string commit =
+            package(R"({"Type":"MVR_COMMIT","StationUUID":")" + station + R"(","FileUUID":"one"})");
+        EXPECT_EQ(
+            visitors.back()->send({reinterpret_cast<const std::uint8_t*>(commit.data()), commit.size()}),
+            commit.size());
+    };
+    offer("nobody yet");
+    const auto said = wait_for(*b, Kind::trouble, 45s);
+    ASSERT_TRUE(said.has_value());
+    EXPECT_NE(said->text.find("a station that cannot be reached"), std::string::npos) << said->text;
+    offer("f");
+    for (int k = 0; k < 500 && requests == 0; ++k) std::this_thread::sleep_for(10ms);
+    EXPECT_EQ(requests, 1);
 }
 
 TEST(XchangeStations, the_plots_of_a_session_have_so_many_bytes_and_no_more) {

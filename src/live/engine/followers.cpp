@@ -4,8 +4,10 @@
 #include "base/log.h"
 #include "live/session/live_view.h"
 
-#include <algorithm>
 #include <cmath>
+#include <set>
+#include <string>
+#include <string_view>
 #include <utility>
 
 namespace ghost::app {
@@ -59,17 +61,20 @@ void Followers::move_objects(Session& session, const scene::TrackerUse& use, con
     }
     if (!home.known) {
         home.known = true;
-        home.at_m = session.live->track(use.objects);
+        home.objects = session.live->objects_named(use.objects, steps_);
+        home.at_m = session.live->track(home.objects);
         if (home.at_m && use.home_m) home.at_m = use.home_m;
         if (!home.at_m) {
             const std::size_t said = session.report.messages.size();
             session.report.add(
                 Severity::error, use.where,
-                "[[tracker]] objects names no object of the stage, or only such as movers carry");
+                steps_ == 0
+                    ? std::string("[[tracker]] ") + kMatchStepsSpent
+                    : "[[tracker]] objects names no object of the stage, or only such as movers carry");
             print_report(session.report, said);
         }
     }
-    if (home.at_m) session.live->move_tracked(use.objects, point_m - *home.at_m);
+    if (home.at_m) session.live->move_tracked(home.objects, point_m - *home.at_m);
 }
 
 void Followers::apply(Session& session, const dmx::Trackers& trackers) {
@@ -88,10 +93,13 @@ void Followers::apply(Session& session, const dmx::Trackers& trackers) {
             print_report(session.report, said);
             continue;
         }
-        for (std::size_t i = 0; i < show.fixtures.size(); ++i)
-            if (std::find(use.fixtures.begin(), use.fixtures.end(), show.fixtures[i].name) !=
-                use.fixtures.end())
-                session.rig->aim_at(i, *point_m);
+        if (!homes_[k].fixtures) {
+            const std::set<std::string_view> named(use.fixtures.begin(), use.fixtures.end());
+            homes_[k].fixtures.emplace();
+            for (std::size_t i = 0; i < show.fixtures.size(); ++i)
+                if (named.contains(show.fixtures[i].name)) homes_[k].fixtures->push_back(i);
+        }
+        for (const std::size_t i : *homes_[k].fixtures) session.rig->aim_at(i, *point_m);
         if (!use.objects.empty()) move_objects(session, use, *point_m, homes_[k]);
     }
     heard_.resize(show.movers.size());

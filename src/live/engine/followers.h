@@ -4,9 +4,11 @@
 // objects that go along, cameras that look; and of the [[mover]] entries that follow a tracker. What was not
 // heard of yet leaves all as it is. One session; its thread.
 
+#include "base/name_index.h"
 #include "live/session/session.h"
 #include "psn_osc/psn.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -19,14 +21,18 @@ public:
     void apply(Session& session, const dmx::Trackers& trackers);
 
 private:
+    // What an entry names is looked for once, for it may be thousands of names.
     struct Home {
         bool known = false;
         bool said_far = false;
         std::optional<glm::vec3> at_m; // none: no such object
+        std::vector<std::size_t> objects;
+        std::optional<std::vector<std::size_t>> fixtures;
     };
     void move_objects(Session& session, const scene::TrackerUse& use, const glm::vec3& point_m, Home& home);
 
-    std::vector<Home> homes_;          // of the objects of each entry
+    std::vector<Home> homes_; // of each entry
+    std::uint64_t steps_ = kMostMatchSteps;
     std::vector<std::uint64_t> heard_; // packets with the tracker of each mover
     bool said_passes_ = false;
 };

@@ -4,6 +4,7 @@
 #include "gpu/device_memory.h"
 #include "live/session/passes_sources.h"
 #include "passes/passes_file.h"
+#include "render/geometry/pass_images.h"
 
 #include <algorithm>
 #include <cmath>
@@ -71,6 +72,8 @@ Result<std::unique_ptr<BakedView>> BakedView::create(const Session& session, Bak
         return Error{"its passes need " + std::to_string(bytes >> 20) +
                          " MB on the device, which has not got them",
                      ""};
+    if (const std::string beyond = render::beyond_device(*session.device, baked.passes); !beyond.empty())
+        return Error{"its passes need " + beyond, ""};
     return std::unique_ptr<BakedView>(new BakedView(session, std::move(baked)));
 }
 

@@ -4,14 +4,9 @@
 #include "live/session/live_view.h"
 
 #include "base/steady_time.h"
-#include "base/text.h"
-#include "disk/files.h"
-#include "disk/own_folder.h"
-#include "passes/distance_maps_file.h"
 #include "stage/overrides.h"
 
 #include <algorithm>
-#include <filesystem>
 #include <limits>
 #include <set>
 
@@ -23,31 +18,35 @@ namespace {
 
 constexpr float kShadowStep_m = 0.01f; // maps are made again for more
 
-bool any_matches(const std::vector<std::string>& patterns, const std::string& name) {
-    return std::any_of(patterns.begin(), patterns.end(),
-                       [&](const std::string& pattern) { return matches(pattern, name); });
-}
-
 } // namespace
 
 // As [[object]] does: the name of the object, else that of its mesh. What a mover carries goes with that.
-std::vector<std::size_t> LiveView::objects_named(const std::vector<std::string>& patterns) const {
-    std::vector<std::size_t> by_name, by_mesh;
-    for (std::size_t i = 0; i < stage_.instances.size(); ++i) {
-        const scene::Instance& instance = stage_.instances[i];
-        if (instance.fixture != scene::kNone || instance.mesh < 0) continue;
-        if (std::ranges::binary_search(carried_, i, {}, &scene::CarriedObject::instance)) continue;
-        if (any_matches(patterns, instance.name))
-            by_name.push_back(i);
-        else if (any_matches(patterns, stage_.meshes[static_cast<std::size_t>(instance.mesh)].name))
-            by_mesh.push_back(i);
+std::vector<std::size_t> LiveView::objects_named(const std::vector<std::string>& patterns,
+                                                 std::uint64_t& steps) {
+    if (!names_) {
+        names_.emplace();
+        for (std::size_t i = 0; i < stage_.instances.size(); ++i) {
+            const scene::Instance& instance = stage_.instances[i];
+            if (instance.fixture != scene::kNone || instance.mesh < 0) continue;
+            if (std::ranges::binary_search(carried_, i, {}, &scene::CarriedObject::instance)) continue;
+            names_->by_name.add(instance.name, i);
+            names_->by_mesh.add(stage_.meshes[static_cast<std::size_t>(instance.mesh)].name, i);
+        }
     }
-    return by_name.empty() ? by_mesh : by_name;
+    for (const NameIndex* const names : {&names_->by_name, &names_->by_mesh}) {
+        std::set<std::size_t> found;
+        for (const std::string& pattern : patterns) {
+            const std::vector<std::size_t> of_pattern = names->find(pattern, steps);
+            found.insert(of_pattern.begin(), of_pattern.end());
+        }
+        if (!found.empty()) return {found.begin(), found.end()};
+    }
+    return {};
 }
 
-std::optional<glm::vec3> LiveView::track(const std::vector<std::string>& patterns) {
+std::optional<glm::vec3> LiveView::track(const std::vector<std::size_t>& objects) {
     glm::vec3 low_m(std::numeric_limits<float>::max()), high_m(-low_m);
-    for (const std::size_t i : objects_named(patterns)) {
+    for (const std::size_t i : objects) {
         const scene::Instance& instance = stage_.instances[i];
         for (const glm::vec3& position : stage_.meshes[static_cast<std::size_t>(instance.mesh)].positions) {
             const glm::vec3 at_m(instance.world * glm::vec4(position, 1.0f));
@@ -60,8 +59,8 @@ std::optional<glm::vec3> LiveView::track(const std::vector<std::string>& pattern
     return glm::vec3(0.5f * (low_m.x + high_m.x), 0.5f * (low_m.y + high_m.y), low_m.z);
 }
 
-void LiveView::move_tracked(const std::vector<std::string>& patterns, const glm::vec3& by_m) {
-    for (const std::size_t i : objects_named(patterns)) {
+void LiveView::move_tracked(const std::vector<std::size_t>& objects, const glm::vec3& by_m) {
+    for (const std::size_t i : objects) {
         const auto moved = moved_.find(i);
         const glm::vec3 before_m(moved == moved_.end() ? glm::vec4(0) : moved->second[3]);
         if (glm::distance(before_m, by_m) >= kStill_m) move(i, glm::translate(glm::mat4(1.0f), by_m));
@@ -107,21 +106,11 @@ void LiveView::begin_changed_maps() {
     };
     if (!distances_ || (std::all_of(moved_.begin(), moved_.end(), mapped) && shown_by_hand_ == mapped_shown_))
         return;
-    if (changed_show_.cache_name.empty()) {
+    const bool is_first = changed_show_.cache_name.empty();
+    if (is_first) {
         changed_show_ = show_;
         changed_show_.stage = {};
         changed_show_.cache_name = (show_.cache_name.empty() ? "" : show_.cache_name + "-") + "tracked";
-        // What is right for the show as it is, is right for most lights wherever the objects are.
-        namespace fs = std::filesystem;
-        const fs::path from = scene::distance_folder(show_, maps_.size);
-        const fs::path to = scene::distance_folder(changed_show_, maps_.size);
-        const auto maps = OwnFolder::open(from, show_.cache_home());
-        if (maps.ok() && make_folders(to, show_.cache_home()).ok())
-            for (const OwnFolder::File& map : maps->entries().files) {
-                std::error_code code;
-                fs::remove(to / map.name, code); // a link would be written through
-                fs::copy_file(from / map.name, to / map.name, code);
-            }
     }
     if (!changed_stage_ || shown_by_hand_ != mapped_shown_) {
         changed_stage_ = solid_now();
@@ -139,7 +128,9 @@ void LiveView::begin_changed_maps() {
     mapped_shown_ = shown_by_hand_;
     std::set<std::size_t> known;
     for (std::size_t k = 0; k < maps_.maps.size(); ++k) known.insert(k);
-    maker_ = std::make_unique<MapMaker>(changed_show_, *changed_stage_, maps_.size, std::move(known));
+    // What is right for the show as it is, is right for most lights wherever the objects are.
+    maker_ = std::make_unique<MapMaker>(changed_show_, *changed_stage_, maps_.size, std::move(known),
+                                        is_first ? &show_ : nullptr);
 }
 
 void LiveView::hang_lamps(const scene::Rig& rig) {

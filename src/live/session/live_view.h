@@ -5,6 +5,7 @@
 // and device must outlive it.
 
 #include "bake/moving_maps.h"
+#include "base/name_index.h"
 #include "gpu/device.h"
 #include "light/bodies.h"
 #include "light/rig.h"
@@ -17,6 +18,7 @@
 #include "show/show.h"
 
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <map>
 #include <memory>
@@ -88,12 +90,13 @@ public:
     // Turns yokes and heads as the rig does, and puts tracked and carried objects where they are. False:
     // nothing moved in the picture.
     bool follow(const scene::Rig& rig);
-    // Objects that will move all the time, by name pattern ([[object]]). Their middle, at the height of their
-    // feet; none: no object has such a name.
-    std::optional<glm::vec3> track(const std::vector<std::string>& patterns);
+    // Those that no mover carries, by name pattern ([[object]]); steps: base/name_index.h.
+    std::vector<std::size_t> objects_named(const std::vector<std::string>& patterns, std::uint64_t& steps);
+    // Objects that will move all the time. Their middle, at the height of their feet; none: there are none.
+    std::optional<glm::vec3> track(const std::vector<std::size_t>& objects);
     // So far from where the show has them; the picture shows it after follow(). The distance maps of the
     // lights that see them are made again in the background, as often as they get finished.
-    void move_tracked(const std::vector<std::string>& patterns, const glm::vec3& by_m);
+    void move_tracked(const std::vector<std::size_t>& objects, const glm::vec3& by_m);
     // Uploads distance maps that were finished in the background, for a part of a picture's time. True: one
     // of them replaced another, so that images of lights which did not change are wrong. What went wrong goes
     // to the report.
@@ -132,7 +135,6 @@ private:
     void begin_moving_maps(Report& report);
     void move(std::size_t instance, const glm::mat4& by);
     void hang_lamps(const scene::Rig& rig);
-    std::vector<std::size_t> objects_named(const std::vector<std::string>& patterns) const;
 
     const gpu::Device& device_;
     const scene::Show& show_;
@@ -140,6 +142,10 @@ private:
     std::optional<scene::Stage> solid_; // without hidden objects, where there are any
     std::vector<std::size_t> moving_;
     std::vector<scene::CarriedObject> carried_;
+    struct ObjectNames {
+        NameIndex by_name, by_mesh;
+    };
+    std::optional<ObjectNames> names_; // once somebody looks for one
     render::StageModel model_;
     MapWork map_work_;
     render::Pose pose_of(const scene::Camera& camera, bool flies) const;

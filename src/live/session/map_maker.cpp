@@ -12,8 +12,10 @@
 
 namespace ghost::app {
 
-MapMaker::MapMaker(const scene::Show& show, const scene::Stage& stage, int size, std::set<std::size_t> known)
-    : show_(show), stage_(stage), size_(size), delivered_(std::move(known)), thread_([this] { run(); }) {}
+MapMaker::MapMaker(const scene::Show& show, const scene::Stage& stage, int size, std::set<std::size_t> known,
+                   const scene::Show* begin_with)
+    : show_(show), stage_(stage), size_(size), begin_with_(begin_with), delivered_(std::move(known)),
+      thread_([this] { run(); }) {}
 
 MapMaker::~MapMaker() {
     stop_ = true;
@@ -48,6 +50,7 @@ void MapMaker::run() {
     Outcome outcome;
     scene::DistanceMaps maps;
     try {
+        if (begin_with_) scene::copy_distance_maps(*begin_with_, show_, size_, options.stop);
         const auto stats = bake::update_distance_maps(show_, stage_, options, maps, outcome.report);
         if (!stats.ok()) outcome.error = stats.error();
         outcome.interrupted = stats.ok() && stats->interrupted;

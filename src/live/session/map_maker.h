@@ -3,7 +3,7 @@
 // MapMaker: makes the distance maps of a show on a thread of its own (bake/distance_maps.h), so that a
 // picture can start without them. Finished ones wait in a queue until they are taken. What is finished is on
 // disk and stays there whenever the maker is destroyed, which stops the thread and waits for it. take() and
-// outcome() from one thread; show and stage must outlive it and must not change.
+// outcome() from one thread; shows and stage must outlive it and must not change.
 
 #include "base/report.h"
 #include "base/result.h"
@@ -37,8 +37,10 @@ public:
         std::optional<Error> error;
     };
 
-    // known: maps that need no delivery unless they turn out to be of another stage.
-    MapMaker(const scene::Show& show, const scene::Stage& stage, int size, std::set<std::size_t> known);
+    // known: maps that need no delivery unless they turn out to be of another stage. begin_with: a show whose
+    // maps are copied first, for most of them are right; null: none.
+    MapMaker(const scene::Show& show, const scene::Stage& stage, int size, std::set<std::size_t> known,
+             const scene::Show* begin_with = nullptr);
     ~MapMaker();
     MapMaker(const MapMaker&) = delete;
     MapMaker& operator=(const MapMaker&) = delete;
@@ -54,6 +56,7 @@ private:
     const scene::Show& show_;
     const scene::Stage& stage_;
     const int size_;
+    const scene::Show* const begin_with_;
     std::set<std::size_t> delivered_; // of the thread
     std::atomic<bool> stop_{false};
     std::mutex mutex_; // of the two below

@@ -21,6 +21,12 @@ fs::path file_beside(const scene::Show& show, const std::string& camera) {
     return scene::passes_folder(show, camera) / "sources.txt";
 }
 
+std::string stamp_of(const fs::path& file) {
+    std::error_code unknown;
+    return std::to_string(fs::file_size(file, unknown)) + " " +
+           std::to_string(fs::last_write_time(file, unknown).time_since_epoch().count());
+}
+
 // Files beside the stage that it may refer to: textures, materials, buffers. Their sizes and times.
 void add_companions(const fs::path& stage, const fs::path& cache, bake::Hasher& hasher) {
     constexpr int kMostFiles = 10000;
@@ -52,16 +58,26 @@ void add_companions(const fs::path& stage, const fs::path& cache, bake::Hasher& 
 
 } // namespace
 
-std::string passes_fingerprint(const scene::Show& show) {
+std::string passes_fingerprint(const scene::Show& show, std::uintmax_t most_bytes) {
     std::set<fs::path> sources{show.file, show.stage_file, show.plot_file};
     for (const scene::Model& model : show.models) sources.insert(model.file);
     for (const scene::PatchedFixture& fixture : show.fixtures) sources.insert(show.folder / fixture.gdtf);
     bake::Hasher hasher;
     hasher.value(bake::kBakerVersion);
+    std::set<fs::path> seen;
+    std::uintmax_t left = most_bytes;
     for (const fs::path& source : sources) {
+        std::error_code code;
+        const fs::path real = fs::canonical(source, code);
+        if (!code && !seen.insert(real).second) continue;
         hasher.text(source.filename().string());
-        const auto bytes = read_file(source, kMaxSourceBytes);
-        if (bytes.ok()) hasher.list(*bytes);
+        const auto bytes = read_file(source, std::min(kMaxSourceBytes, left));
+        if (bytes.ok()) {
+            hasher.list(*bytes);
+            left -= bytes->size();
+        } else if (!code && fs::is_regular_file(real, code)) {
+            hasher.text(stamp_of(real));
+        }
     }
     if (!show.stage_file.empty()) add_companions(show.stage_file, show.cache_folder(), hasher);
     for (const scene::Model& model : show.models) add_companions(model.file, show.cache_folder(), hasher);

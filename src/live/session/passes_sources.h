@@ -6,12 +6,16 @@
 #include "base/result.h"
 #include "show/show.h"
 
+#include <cstdint>
 #include <string>
 
 namespace ghost::app {
 
-// Of the show file, the stage with what lies beside it, the fixture files and the baker.
-std::string passes_fingerprint(const scene::Show& show);
+inline constexpr std::uintmax_t kMostSourceBytes = std::uintmax_t{4} << 30; // of all sources that are read
+
+// Of the show file, the stage with what lies beside it, the fixture files and the baker. A file of many names
+// counts once. Of files that do not fit into most_bytes together, size and time.
+std::string passes_fingerprint(const scene::Show& show, std::uintmax_t most_bytes = kMostSourceBytes);
 // Of the passes that a camera has: another one means that it was baked meanwhile.
 std::string baked_fingerprint(const scene::Show& show, const std::string& camera);
 // The passes of this camera were made from that.

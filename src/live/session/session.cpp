@@ -10,6 +10,8 @@
 #include "live/session/passes_sources.h"
 #include "live/session/picture_room.h"
 #include "passes/passes_file.h"
+#include "render/geometry/pass_images.h"
+#include "render/relight/room_light.h"
 #include "show_file/show_edit.h"
 #include "show_folder/load_show.h"
 #include "show_folder/place_checks.h"
@@ -395,6 +397,15 @@ void Session::update_bounce(const scene::FrameLights& lit) {
         print_report(report, before);
     }
     if (!solved) return;
+    if (const std::string beyond = render::RoomLight::beyond_device(*device, *solved); !beyond.empty()) {
+        const std::size_t before = report.messages.size();
+        report.add(Severity::warning, "bounced light",
+                   "it needs " + beyond +
+                       "; no light bounces. Lamps and objects far from all others make the room so large");
+        print_report(report, before);
+        bounce.reset(); // the same room would come again
+        return;
+    }
     bounced = solved;
     take_bounced();
     if (live->set_forward_per_m(haze.extinction_per_m - bounced->extinction_per_m))
@@ -529,6 +540,11 @@ Result<std::unique_ptr<Session>> open_session(const SessionOptions& asked, scene
         scene::check_places(*session->show, session->live->stage(), {&camera, 1}, report);
         print_report(report, printed);
     }
+    const std::string beyond = options.live ? "" : render::beyond_device(*session->device, session->passes);
+    if (!beyond.empty())
+        return Error{"the passes of camera '" + camera.name + "' need " + beyond +
+                         ": a smaller picture (--size) needs less, and --live needs none",
+                     session->show->file.string()};
     if (options.stop && options.stop()) return interruption;
     const auto light_count = static_cast<int>(session->lit().lights.size());
     session->relighter =

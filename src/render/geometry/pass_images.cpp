@@ -3,6 +3,7 @@
 
 #include "base/check.h"
 #include "gpu/commands.h"
+#include "gpu/device.h"
 #include "render/geometry/layout.h"
 
 #include <algorithm>
@@ -58,7 +59,21 @@ SeenBox seen_in(const scene::Passes& passes, const glm::vec3& eye_m) {
     return box;
 }
 
+// Whole blocks, so that the last one needs no bound.
+std::uint64_t rows_of(const scene::Passes& passes) {
+    const std::uint64_t extra = passes.fragment_count() - passes.pixel_count();
+    const auto width = static_cast<std::uint64_t>(passes.width);
+    const std::uint64_t texels =
+        (extra + shared::kTilePixels - 1) / shared::kTilePixels * shared::kTilePixels;
+    return static_cast<std::uint64_t>(passes.height) + (texels + width - 1) / width;
+}
+
 } // namespace
+
+std::string beyond_device(const gpu::Device& device, const scene::Passes& passes) {
+    return gpu::beyond_limits(device.limits(), static_cast<std::uint64_t>(passes.width), rows_of(passes),
+                              passes.lights.size() + 1);
+}
 
 PassImages make_pass_images(const gpu::Device& device, const scene::Passes& passes, const glm::vec3& ambient,
                             const shared::Haze& haze) {
@@ -90,8 +105,7 @@ PassImages make_pass_images(const gpu::Device& device, const scene::Passes& pass
     edges.resize(static_cast<std::size_t>(edge_rows) * f.width);
     f.edges = gpu::Texture(device, {f.width, edge_rows, 1, 1, VK_FORMAT_R32G32_UINT, true, false});
     f.edges.write(0, edges.data(), edges.size() * sizeof(glm::uvec2));
-    // Whole blocks, so that the last one needs no bound; what no fragment fills is no surface.
-    const std::uint32_t rows = f.height + gpu::groups(f.blocks * shared::kTilePixels, f.width);
+    const auto rows = static_cast<std::uint32_t>(rows_of(passes)); // what no fragment fills is no surface
     std::vector<glm::vec4> places(static_cast<std::size_t>(rows) * f.width, glm::vec4(0, 0, 0, -1));
     for (std::size_t i = 0; i < layout.order.size(); ++i) places[i] = passes.fragments[layout.order[i]];
     f.places = gpu::Texture(device, {f.width, rows, 1, 1, VK_FORMAT_R32G32B32A32_SFLOAT, true, false});

@@ -7,6 +7,8 @@
 #include "render/geometry/fragments.h"
 #include "shared/types.h"
 
+#include <string>
+
 namespace ghost::render {
 
 struct PassImages {
@@ -15,6 +17,10 @@ struct PassImages {
     gpu::Texture bounces;  // rgba16f, picture only; empty where no pass has bounced light
 };
 
+// What they need and this device has not (gpu::beyond_limits); "" where it fits.
+std::string beyond_device(const gpu::Device& device, const scene::Passes& passes);
+
+// Of passes that fit.
 PassImages make_pass_images(const gpu::Device& device, const scene::Passes& passes, const glm::vec3& ambient,
                             const shared::Haze& haze);
 

@@ -163,6 +163,7 @@ void Relighter::set_air(const shared::Air& air) {
 }
 
 void Relighter::set_room_light(const scene::BounceVolumes* volumes) {
+    if (volumes && !RoomLight::beyond_device(device_, *volumes).empty()) volumes = nullptr;
     if (!g_buffer_ || (!volumes && !room_light_)) return;
     if (!volumes)
         room_light_.reset();

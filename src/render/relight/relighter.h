@@ -137,7 +137,8 @@ public:
     // The moving pictures now, as many and as large as those of the gobos that this was made with. Lights
     // that show another one have another Slide::moment.
     void set_slides(const std::vector<shared::SlidePicture>& slides);
-    // Bounced light of a free camera, from the next frame on; null: none. Its glow is of an eye.
+    // Bounced light of a free camera, from the next frame on; null, or beyond the device's limits
+    // (RoomLight::beyond_device): none. Its glow is of an eye.
     void set_room_light(const scene::BounceVolumes* volumes);
     // The haze moved. Cheap where it is even.
     void set_air(const shared::Air& air);

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <string>
 #include <utility>
 
 namespace ghost::render {
@@ -16,16 +17,32 @@ constexpr std::uint32_t kRoomGroup = 8; // pixels or rays a side
 constexpr float kSliceOfCell = 0.75f;   // as long as slices are
 constexpr std::uint32_t kLeastSlices = 8;
 
+std::size_t layers_of(const scene::BounceVolume& volume) {
+    const std::size_t layer =
+        static_cast<std::size_t>(volume.size.x) * static_cast<std::size_t>(volume.size.y);
+    return volume.texels.size() / std::max<std::size_t>(layer, 1);
+}
+
 } // namespace
 
 RoomLight::RoomLight(const gpu::Device& device)
     : device_(device), glow_program_(device, shaders::kShader_glow),
       program_(device, shaders::kShader_room_light), uploads_(device) {}
 
+std::string RoomLight::beyond_device(const gpu::Device& device, const scene::BounceVolumes& volumes) {
+    for (const scene::BounceVolume* volume : {&volumes.surfaces, &volumes.air, &volumes.glow}) {
+        const std::string beyond =
+            gpu::beyond_limits(device.limits(), static_cast<std::uint64_t>(volume->size.x),
+                               static_cast<std::uint64_t>(volume->size.y), layers_of(*volume));
+        if (!beyond.empty()) return beyond;
+    }
+    return "";
+}
+
 void RoomLight::make(const scene::BounceVolume& volume, gpu::Texture& texture) const {
     const auto width = static_cast<std::uint32_t>(volume.size.x),
                height = static_cast<std::uint32_t>(volume.size.y);
-    const auto layers = static_cast<std::uint32_t>(volume.texels.size() / (std::size_t{width} * height));
+    const auto layers = static_cast<std::uint32_t>(layers_of(volume));
     const gpu::TextureShape& before = texture.shape();
     if (texture.bytes() == 0 || before.width != width || before.height != height || before.layers != layers)
         texture =

@@ -14,6 +14,7 @@
 #include "shared/room_light.h"
 
 #include <cstdint>
+#include <string>
 
 namespace ghost::render {
 
@@ -21,7 +22,9 @@ class RoomLight {
 public:
     explicit RoomLight(const gpu::Device& device);
 
-    // From the next record on; the glow is that of an eye.
+    // What they need and this device has not: "pictures of ..., and this device has ..."; "" where it fits.
+    static std::string beyond_device(const gpu::Device& device, const scene::BounceVolumes& volumes);
+    // Of volumes that fit. From the next record on; the glow is that of an eye.
     void set(const scene::BounceVolumes& volumes);
     // as_lux: adds what falls on surfaces instead of what they show.
     void record(gpu::Commands& commands, const GBuffer& g_buffer, bool as_lux, const gpu::Texture& frame);

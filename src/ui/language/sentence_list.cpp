@@ -660,6 +660,28 @@ constexpr const char* kSentences[] = {
     QT_TRANSLATE_NOOP("Sentence", "%1 fixture is left out, more than 10 km from most of the plot: no picture "
                                   "holds both: %2"),
     QT_TRANSLATE_NOOP("Sentence", "objects more than 10 km from most of the plot are left out: %1"),
+    QT_TRANSLATE_NOOP("Sentence", "would be %1 bytes, and no more than %2 are read again: nothing is "
+                                  "changed; a palette of fewer fixtures needs less"),
+    QT_TRANSLATE_NOOP("Sentence", "the pictures of its %1 lights need %2 MB of memory, and %3 are free: "
+                                  "fewer lights or a smaller picture need less"),
+    QT_TRANSLATE_NOOP("Sentence", "its passes need pictures of %1 x %2 in %3 layers, and this device has "
+                                  "them up to %4 a side and %5 layers"),
+    QT_TRANSLATE_NOOP(
+        "Sentence",
+        "it needs pictures of %1 x %2 in %3 layers, and this device has them up to %4 a side and %5 layers; "
+        "no light bounces. Lamps and objects far from all others make the room so large"),
+    QT_TRANSLATE_NOOP(
+        "Sentence",
+        "%1 has more patterns with * and ? than can be compared with so many and so long names (500 million "
+        "letters): this one and those after it match nothing; write names out, or shorter patterns"),
+    QT_TRANSLATE_NOOP(
+        "Sentence",
+        "%1 mesh files are left out: the others need all of the %2 GiB that the meshes of a plot may have"),
+    QT_TRANSLATE_NOOP(
+        "Sentence",
+        "%1 mesh file is left out: the others need all of the %2 GiB that the meshes of a plot may have"),
+    QT_TRANSLATE_NOOP("Sentence", "its gobos stay open, and perhaps those of other files: with it the "
+                                  "pictures of all fixture files need more than %1 GiB"),
     QT_TRANSLATE_NOOP("Sentence", "is empty: there is no show in it"),
     QT_TRANSLATE_NOOP("Sentence",
                       "is no show: a folder with a show.toml, a show.toml, or a plot (.mvr) can be opened"),

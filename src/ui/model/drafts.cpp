@@ -11,10 +11,14 @@
 #include <QFileInfo>
 #include <QStandardPaths>
 
+#include <tuple>
+#include <utility>
+
 namespace ghost::ui {
 namespace {
 
 constexpr int kMostAside = 100;
+constexpr std::size_t kMostHead = 128; // bytes above the text
 const std::string kHead = "# Ghostlight: changes that were not saved, of a show.toml with CRC ";
 
 std::string crc_of(const std::string& text) {
@@ -41,9 +45,10 @@ Result<void> Drafts::write(const std::string& text, const std::string& saved) co
         std::filesystem::remove(own_, code);
         return {};
     }
-    remove_beside();
     std::filesystem::create_directories(own_.parent_path(), code);
-    return write_file_atomic(own_, draft).ok() ? Result<void>() : done;
+    if (!write_file_atomic(own_, draft).ok()) return done; // an older one beside is better than none
+    remove_beside();
+    return {};
 }
 
 Result<std::filesystem::path> Drafts::write_aside(const std::string& text) const {
@@ -85,26 +90,35 @@ void Drafts::remove_beside() const {
     if (folder.ok()) folder->remove_file(beside_.filename().string());
 }
 
+// A disk that stops taking anything keeps the older one of the two. One of this text goes before one of
+// another, which may be that of another disk at the same place.
 std::optional<Drafts::Found> Drafts::find(const std::string& saved) const {
     const bool is_ours_beside = OwnFolder::open(beside_.parent_path(), home_).ok();
+    std::optional<Found> best;
     for (const std::filesystem::path& file : {beside_, own_}) {
         std::error_code code;
         if ((file == beside_ && !is_ours_beside) || !std::filesystem::is_regular_file(file, code)) continue;
-        const auto draft = read_text_file(file, scene::kMaxShowBytes);
+        const auto draft = read_text_file(file, scene::kMaxShowBytes + kMostHead);
         if (!draft.ok()) {
             log_warning(draft.error().text() + ": the draft is not offered");
             continue;
         }
         const std::size_t head = draft->find('\n');
-        const bool is_ours = draft->starts_with(kHead) && head != std::string::npos;
+        const bool is_ours = draft->starts_with(kHead) && head < kMostHead;
+        if (is_ours && draft->size() - head - 1 > scene::kMaxShowBytes) { // no edit takes it
+            log_warning(file.string() + ": holds more than a show file may: the draft is not offered");
+            continue;
+        }
         if (!is_ours || draft->substr(head + 1) == saved) {
             if (is_ours) std::filesystem::remove(file, code);
             continue;
         }
-        return Found{draft->substr(head + 1), QFileInfo(QString::fromStdString(file.string())).lastModified(),
-                     draft->substr(kHead.size(), head - kHead.size()) == crc_of(saved)};
+        Found found{draft->substr(head + 1), QFileInfo(QString::fromStdString(file.string())).lastModified(),
+                    draft->substr(kHead.size(), head - kHead.size()) == crc_of(saved)};
+        if (!best || std::tie(found.of_this, found.when) > std::tie(best->of_this, best->when))
+            best = std::move(found);
     }
-    return std::nullopt;
+    return best;
 }
 
 } // namespace ghost::ui

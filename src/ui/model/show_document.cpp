@@ -252,6 +252,11 @@ Result<void> ShowDocument::edit(const QString& what, Edit edit, int kind) {
 Result<bool> ShowDocument::prepare(const Edit& edit) {
     TRY_VOID(check_editable());
     if (edit.text == text_) return false;
+    if (edit.text.size() > scene::kMaxShowBytes) // else it is saved and never opened again
+        return Error{"would be " + std::to_string(edit.text.size()) + " bytes, and no more than " +
+                         std::to_string(scene::kMaxShowBytes) +
+                         " are read again: nothing is changed; a palette of fewer fixtures needs less",
+                     file_.string()};
     TRY(scene::Show preview, scene::preview_edit(*app_.show(), edit.text));
     prepared_ = {edit.text, std::move(preview)};
     return true;

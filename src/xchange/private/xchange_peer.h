@@ -37,11 +37,13 @@ public:
     int handle() const { return stream_->handle(); }
     const dmx::IpAddress& address() const { return stream_->peer(); }
     std::size_t waiting_bytes() const { return out_.size() - out_sent_; }
+    std::size_t memory_bytes() const { return out_.capacity(); }      // of what waits
     const std::string& problem() const { return stream_->problem(); } // of the connection itself
     double heard_s() const { return heard_s_; }                       // the last bytes
 
 private:
     Result<void> send_what_goes(double now_s);
+    void drop_sent();
     Result<void> refill();
 
     std::unique_ptr<dmx::TcpStream> stream_;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Objects that go with a tracker: the picture, shadows included, is that of a show in which they stand there.
 #include "live/engine/followers.h"
+
+#include "disk/files.h"
 #include "live/session/live_view.h"
 #include "show_folder/load_show.h"
 #include "support/demo_copy.h"
@@ -12,10 +14,15 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <cstdint>
+#include <filesystem>
+#include <string_view>
 #include <thread>
 
 namespace ghost::app {
 namespace {
+
+namespace fs = std::filesystem;
 
 const std::vector<std::string> kWho = {"performer_singer", "mic_in_hand"};
 
@@ -109,22 +116,35 @@ TEST(Followers, an_object_goes_with_its_tracker_and_so_does_its_shadow) {
     Stage expected(std::move(there));
     ASSERT_FALSE(expected.report.lost_anything());
 
+    const fs::path maps = DemoCopy::show() / ".ghost" / "distances" / "256";
+    ASSERT_TRUE(fs::is_directory(maps)) << "those of the show that was opened first";
+    ASSERT_TRUE(write_file_atomic(maps / "stranger", std::string_view("no map")).ok());
     Stage tracked(demo_show());
     const image::ImageF before = tracked.picture();
     const image::ImageF wanted = expected.picture();
     const double apart = differing(before, wanted);
     EXPECT_GT(apart, 0.01) << "it must be seen that somebody moved";
 
-    const auto home_m = tracked.view->track(kWho);
+    std::uint64_t steps = kMostMatchSteps;
+    const std::vector<std::size_t> who = tracked.view->objects_named(kWho, steps);
+    ASSERT_GE(who.size(), kWho.size());
+    const auto home_m = tracked.view->track(who);
     ASSERT_TRUE(home_m.has_value());
-    tracked.view->move_tracked(kWho, by_m);
+    tracked.view->move_tracked(who, by_m);
     ASSERT_TRUE(tracked.settle());
     EXPECT_LT(differing(tracked.picture(), wanted), 0.02 * apart);
+    const fs::path moved = DemoCopy::show() / ".ghost" / "tracked" / "distances" / "256";
+    EXPECT_TRUE(fs::exists(moved / "stage.json"));
+    EXPECT_FALSE(fs::exists(moved / "stranger")) << "no map is copied for one";
     // And back again.
-    tracked.view->move_tracked(kWho, glm::vec3(0));
+    tracked.view->move_tracked(who, glm::vec3(0));
     ASSERT_TRUE(tracked.settle());
     EXPECT_LT(differing(tracked.picture(), before), 0.02 * apart);
-    EXPECT_FALSE(tracked.view->track({"nobody*"}).has_value());
+    EXPECT_TRUE(tracked.view->objects_named({"nobody*"}, steps).empty());
+    EXPECT_FALSE(tracked.view->track({}).has_value());
+    steps = 1;
+    EXPECT_TRUE(tracked.view->objects_named({"*"}, steps).empty());
+    EXPECT_EQ(steps, 0u);
 }
 
 TEST(Followers, a_camera_turns_to_its_tracker) {

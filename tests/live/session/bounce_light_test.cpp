@@ -89,6 +89,39 @@ TEST(BounceLight, the_show_says_it_the_command_line_overrides_it_and_off_is_as_b
     EXPECT_EQ(drawn(*overridden), without);
 }
 
+// As of a room of hundreds of metres, for this device has next to no layers.
+TEST(BounceLight, a_room_beyond_the_device_is_said_and_the_picture_goes_on_without) {
+    SessionOptions options = small();
+    options.lowered_limits = {{"maxImageArrayLayers", 4}};
+    const auto plain = must(open_session(options));
+    light_all(*plain);
+    const std::vector<float> without = drawn(*plain);
+    options.bounce = BounceDetail::room;
+    const auto session = must(open_session(options));
+    light_all(*session);
+    EXPECT_EQ(drawn(*session), without) << "byte for byte";
+    EXPECT_FALSE(session->bounced);
+    EXPECT_TRUE(session->is_bounce_settled());
+    const auto is_said = [](const Message& message) {
+        return message.where == "bounced light" &&
+               message.what.find(" a side and 4 layers; no light bounces") != std::string::npos;
+    };
+    EXPECT_EQ(std::count_if(session->report.messages.begin(), session->report.messages.end(), is_said), 1);
+
+    scene::BounceVolumes volumes; // nor where nobody asked before
+    for (scene::BounceVolume* volume : {&volumes.surfaces, &volumes.air, &volumes.glow}) {
+        volume->size = {2, 2, 5};
+        volume->texels.resize(20);
+    }
+    session->relighter->set_room_light(&volumes);
+    EXPECT_EQ(drawn(*session), without);
+    const std::uint64_t bytes = session->relighter->picture_bytes();
+    for (scene::BounceVolume* volume : {&volumes.surfaces, &volumes.air, &volumes.glow})
+        volume->texels.resize(16);
+    session->relighter->set_room_light(&volumes);
+    EXPECT_GT(session->relighter->picture_bytes(), bytes) << "four layers are those that it has";
+}
+
 TEST(BounceLight, an_edit_of_the_show_is_taken_unless_the_command_line_says_otherwise) {
     SessionOptions options = small();
     options.maps_in_background = true;

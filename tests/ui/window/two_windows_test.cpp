@@ -7,7 +7,10 @@
 
 #include <QDir>
 
+#include <chrono>
+#include <csignal>
 #include <fstream>
+#include <sys/resource.h>
 
 namespace ghost::ui {
 namespace {
@@ -189,26 +192,125 @@ TEST(Saving, a_file_that_cannot_be_read_is_not_taken_for_unchanged) {
     EXPECT_TRUE(desk.document.save(true).ok());
 }
 
+TEST(Saving, more_than_can_be_read_again_is_neither_taken_nor_written) {
+    Desk desk;
+    desk.open();
+    const auto padded = [&](std::size_t bytes) {
+        std::string text = desk.document.text() + "# ";
+        text.resize(bytes - 1, '.');
+        return ShowDocument::Edit{text + "\n", desk.app.look(), desk.app.selection()};
+    };
+    const Result<void> refused = desk.document.edit("too much", padded(scene::kMaxShowBytes + 1));
+    ASSERT_FALSE(refused.ok());
+    EXPECT_NE(
+        refused.error().text().find("show.toml: would be 16777217 bytes, and no more than 16777216 are"),
+        std::string::npos)
+        << refused.error().text();
+    EXPECT_FALSE(desk.document.is_changed());
+    ASSERT_TRUE(desk.document.edit("as much as goes", padded(scene::kMaxShowBytes)).ok());
+    ASSERT_TRUE(desk.document.save(false).ok());
+    EXPECT_TRUE(read_text_file(desk.file, scene::kMaxShowBytes).ok()) << "as it is read at the next start";
+    EXPECT_FALSE(desk.document.waits_for_answer());
+}
+
 TEST(Drafts, one_is_offered_up_to_the_limit_of_a_show_file) {
     QTemporaryDir place;
     scene::Show show;
     show.folder = place.path().toStdString();
     show.file = show.folder / "show.toml";
     const Drafts drafts(show);
-    ASSERT_TRUE(drafts.write("x", "saved").ok());
     const fs::path file = show.folder / ".ghost" / "draft.toml";
-    const std::size_t head = fs::file_size(file) - 1;
-    ASSERT_TRUE(drafts.write(std::string(scene::kMaxShowBytes - head, '#'), "saved").ok());
+    ASSERT_TRUE(drafts.write(std::string(scene::kMaxShowBytes, '#'), "saved").ok());
     const auto longest = drafts.find("saved");
     ASSERT_TRUE(longest.has_value());
-    EXPECT_EQ(longest->text.size(), scene::kMaxShowBytes - head);
-    ASSERT_TRUE(drafts.write(std::string(scene::kMaxShowBytes - head + 1, '#'), "saved").ok());
+    EXPECT_EQ(longest->text.size(), scene::kMaxShowBytes);
+    ASSERT_TRUE(drafts.write(std::string(scene::kMaxShowBytes + 1, '#'), "saved").ok());
+    EXPECT_FALSE(drafts.find("saved").has_value()) << "no edit would take it";
+    fs::resize_file(file, scene::kMaxShowBytes + 129);
     testing::internal::CaptureStderr();
     EXPECT_FALSE(drafts.find("saved").has_value());
     const std::string said = testing::internal::GetCapturedStderr();
-    EXPECT_NE(said.find("draft.toml: is 16777217 bytes, more than the limit of 16777216"), std::string::npos)
+    EXPECT_NE(said.find("draft.toml: is 16777345 bytes, more than the limit of 16777344"), std::string::npos)
         << said;
     EXPECT_TRUE(fs::exists(file)) << "it is left where it is";
+}
+
+// The place beside the show takes nothing while this lives, as a stick after a fault; what is there stays.
+class BesideIsLost {
+public:
+    explicit BesideIsLost(fs::path beside) : beside_(std::move(beside)) {
+        fs::rename(beside_, away());
+        EXPECT_TRUE(write_file_atomic(beside_, "full").ok());
+    }
+    ~BesideIsLost() {
+        fs::remove(beside_);
+        fs::rename(away(), beside_);
+    }
+
+private:
+    fs::path away() const { return beside_.parent_path() / "away"; }
+    fs::path beside_;
+};
+
+TEST(Drafts, the_newest_of_two_places_is_offered) {
+    const QTemporaryDir home, place;
+    qputenv("XDG_DATA_HOME", home.path().toUtf8());
+    scene::Show show;
+    show.folder = place.path().toStdString();
+    show.file = show.folder / "show.toml";
+    const fs::path file = show.folder / ".ghost" / "draft.toml";
+    const Drafts drafts(show);
+    qunsetenv("XDG_DATA_HOME");
+    ASSERT_TRUE(drafts.write("of ten", "saved").ok());
+    fs::last_write_time(file, fs::last_write_time(file) - std::chrono::minutes(30));
+    {
+        const BesideIsLost lost(show.folder / ".ghost");
+        ASSERT_TRUE(drafts.write("of half past", "saved").ok());
+    }
+    ASSERT_TRUE(fs::exists(file));
+    auto found = drafts.find("saved");
+    ASSERT_TRUE(found.has_value());
+    EXPECT_EQ(found->text, "of half past");
+    found = drafts.find("another show's");
+    ASSERT_TRUE(found.has_value());
+    EXPECT_EQ(found->text, "of half past") << "where both are of another text";
+
+    // One of another show, whose disk was at the same place.
+    ASSERT_TRUE(drafts.write("of ten", "saved").ok());
+    {
+        const BesideIsLost lost(show.folder / ".ghost");
+        ASSERT_TRUE(drafts.write("of a stranger", "another show's").ok());
+    }
+    fs::last_write_time(file, fs::last_write_time(file) - std::chrono::minutes(30));
+    found = drafts.find("saved");
+    ASSERT_TRUE(found.has_value());
+    EXPECT_EQ(found->text, "of ten");
+    EXPECT_TRUE(found->of_this);
+    drafts.remove();
+    EXPECT_FALSE(drafts.find("saved").has_value());
+}
+
+TEST(Drafts, the_last_one_stays_where_both_places_are_full) {
+    const QTemporaryDir home, place;
+    qputenv("XDG_DATA_HOME", home.path().toUtf8());
+    scene::Show show;
+    show.folder = place.path().toStdString();
+    show.file = show.folder / "show.toml";
+    const Drafts drafts(show);
+    qunsetenv("XDG_DATA_HOME");
+    ASSERT_TRUE(drafts.write("the last one", "saved").ok());
+    rlimit before{};
+    ASSERT_EQ(getrlimit(RLIMIT_FSIZE, &before), 0);
+    const rlimit full{1000, before.rlim_max};
+    auto* const handler = std::signal(SIGXFSZ, SIG_IGN);
+    ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &full), 0);
+    const Result<void> kept = drafts.write(std::string(5000, '#'), "saved");
+    ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &before), 0);
+    std::signal(SIGXFSZ, handler);
+    EXPECT_FALSE(kept.ok());
+    const auto found = drafts.find("saved");
+    ASSERT_TRUE(found.has_value());
+    EXPECT_EQ(found->text, "the last one");
 }
 
 TEST(Drafts, one_behind_a_link_is_neither_taken_nor_removed) {
