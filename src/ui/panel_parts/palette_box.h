@@ -11,6 +11,8 @@
 #include <QToolButton>
 #include <QWidget>
 
+#include <vector>
+
 namespace ghost::ui {
 
 class PaletteBox : public QWidget {
@@ -37,6 +39,7 @@ private:
     QButtonGroup* kinds_;
     QToolButton* store_;
     QListWidget* list_;
+    std::vector<scene::Palette> shown_; // of the kind
     bool follows_ = false; // it is being filled, not edited
 };
 

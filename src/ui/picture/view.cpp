@@ -84,8 +84,12 @@ View::View(AppModel& app, QWidget* parent) : QWidget(parent), app_(app), figures
     connect(&app_, &AppModel::opened_show, this, [this] {
         set_hovered(std::nullopt);
         if (!app_.opened().is_edit && !app_.opened().again) wipe_.end();
-        if (drag_ == Drag::lamp || drag_ == Drag::object || drag_ == Drag::mover) drag_ = Drag::none;
-        mover_.reset();
+        // An edit is heard of twice, the second time when the engine has read it, which may be in the middle
+        // of the next drag.
+        const bool goes_on = app_.opened().is_edit && names_of_dragged() == dragged_;
+        const bool moves = drag_ == Drag::lamp || drag_ == Drag::object || drag_ == Drag::mover;
+        if (moves && !goes_on) drag_ = Drag::none;
+        if (drag_ != Drag::mover) mover_.reset();
     });
     for (const auto signal :
          {&AppModel::selection_changed, &AppModel::marked_changed, &AppModel::activity_came,

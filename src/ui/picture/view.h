@@ -15,6 +15,9 @@
 #include <QSet>
 #include <QWidget>
 
+#include <string>
+#include <vector>
+
 namespace ghost::ui {
 
 class View : public QWidget {
@@ -72,6 +75,8 @@ private:
     std::optional<std::size_t> lamp_at(const QPointF& place) const;
     Drag drag_of_left(Qt::KeyboardModifiers keys);
     void drag_lamp(bool upright);
+    // What a drag of the left button moves: lamps, an object, an axis of a mover.
+    std::vector<std::string> names_of_dragged() const;
     // Of the chosen object; nothing: none is, or it is not in sight.
     std::optional<QPointF> handle_of_object() const;
     bool is_on_handle(const QPointF& place) const;
@@ -91,6 +96,7 @@ private:
     double asked_ratio_ = 0; // pixels of the display to one of the window, when the size was asked for
     Drag drag_ = Drag::none;
     QPointF drag_from_, drag_at_;
+    std::vector<std::string> dragged_; // when it began
     Wipe wipe_;
     std::optional<LampDrag> lamp_; // that is dragged
     glm::vec3 moved_by_m_{0};

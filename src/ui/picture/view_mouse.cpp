@@ -78,10 +78,26 @@ View::Drag View::drag_of_left(Qt::KeyboardModifiers keys) {
     return keys & Qt::ShiftModifier ? Drag::pan : Drag::orbit;
 }
 
+std::vector<std::string> View::names_of_dragged() const {
+    std::vector<std::string> names;
+    if (drag_ == Drag::lamp)
+        for (const std::size_t index : app_.selection()) names.push_back(app_.show()->fixtures[index].name);
+    if (const auto object = app_.marked(); drag_ == Drag::object && object)
+        names.push_back(app_.opened().objects[*object].name);
+    if (drag_ == Drag::mover && mover_ && mover_->mover < app_.show()->movers.size()) {
+        const scene::Mover& mover = app_.show()->movers[mover_->mover];
+        names.push_back(mover.name);
+        if (mover_->axis < mover.axes.size()) names.push_back(mover.axes[mover_->axis].name);
+    }
+    return names;
+}
+
 void View::mouseMoveEvent(QMouseEvent* event) {
     const QPointF moved = event->position() - drag_at_;
-    if (drag_ == Drag::undecided && QLineF(drag_from_, event->position()).length() > kClick_px)
+    if (drag_ == Drag::undecided && QLineF(drag_from_, event->position()).length() > kClick_px) {
         drag_ = drag_of_left(event->modifiers());
+        dragged_ = names_of_dragged();
+    }
     if (drag_ != Drag::none) set_hovered(std::nullopt);
     if (drag_ == Drag::none) {
         if (overlays.probe) probe_at(event->position());
