@@ -11,6 +11,7 @@
 #include "ui/panel_parts/mover_box.h"
 
 #include <QLineEdit>
+#include <QPointer>
 
 namespace ghost::ui {
 namespace {
@@ -75,6 +76,33 @@ TEST(Movers, a_truss_flies_on_two_hoists_with_what_hangs_under_it) {
     EXPECT_EQ(desk.document.text(), kShow);
 }
 
+TEST(Movers, what_is_hung_copied_or_dropped_under_a_truss_that_flies_goes_with_it) {
+    TrussDesk desk;
+    ASSERT_TRUE(desk.actions.run("fly-on-hoists \"front 1\"").ok());
+    const auto carried = [&] { return desk.app.show()->movers.at(0).fixtures; };
+    using Names = std::vector<std::string>;
+    ASSERT_EQ(carried(), (Names{"Lamp 1", "Lamp 3"}));
+    const std::string flies = desk.document.text();
+    desk.app.select({1});
+    ASSERT_TRUE(desk.actions.run("hang \"front 2\"").ok());
+    EXPECT_EQ(carried(), (Names{"Lamp 1", "Lamp 3", "Lamp 2"}));
+    desk.app.select({0});
+    ASSERT_TRUE(desk.actions.run("hang back").ok());
+    EXPECT_EQ(carried(), (Names{"Lamp 3", "Lamp 2"})) << "it hangs elsewhere now";
+    ASSERT_TRUE(desk.edit.duplicate({1, 0, 0}).ok());
+    EXPECT_EQ(carried(), (Names{"Lamp 3", "Lamp 2"})) << "a copy of one that does not fly";
+    desk.app.select({2}); // Lamp 2
+    ASSERT_TRUE(desk.edit.duplicate({1, 0, 0}).ok());
+    EXPECT_EQ(carried(), (Names{"Lamp 3", "Lamp 2", "Lamp 5"}));
+    const fs::path file = fs::path(GHOST_SOURCE_DIR) / "assets/fixtures/Vari-Lite@VL2500_Spot.gdtf";
+    ASSERT_TRUE(desk.edit.add(file, {-4, 0, 4.2f}).ok());
+    EXPECT_EQ(carried().size(), 4u);
+    ASSERT_TRUE(desk.edit.add(file, {-4, 4, 4.2f}).ok());
+    EXPECT_EQ(carried().size(), 4u) << "one in the air";
+    for (int step = 0; step < 6; ++step) desk.app.undo_stack().undo();
+    EXPECT_EQ(desk.document.text(), flies);
+}
+
 TEST(Movers, the_address_is_set_by_name_and_in_the_panel) {
     TrussDesk desk;
     ASSERT_EQ(desk.complaint("fly-on-hoists \"front 1\""), "");
@@ -97,6 +125,27 @@ TEST(Movers, the_address_is_set_by_name_and_in_the_panel) {
               std::string::npos);
     EXPECT_NE(desk.complaint("mover-address \"front 1\" 1.1 12").find("none of 8, 16 and 24"),
               std::string::npos);
+}
+
+// Each edit is heard of twice: at once, and when the engine has read it.
+TEST(Movers, who_types_an_address_or_drags_a_slider_goes_on_while_an_edit_is_read) {
+    TrussDesk desk;
+    MoverBox box(desk.app, nullptr);
+    ASSERT_EQ(desk.complaint("fly-on-hoists \"front 1\""), "");
+    const QPointer<QLineEdit> address = box.findChild<QLineEdit*>();
+    const QPointer<ValueRow> row = box.findChild<ValueRow*>();
+    ASSERT_TRUE(address && row);
+    address->setText("2.10");
+    desk.app.select({0});
+    ASSERT_TRUE(desk.edit.set_address({3, 1}).ok());
+    desk.follow();
+    settle();
+    ASSERT_TRUE(address && row) << "they are the same";
+    EXPECT_FALSE(address->isHidden());
+    EXPECT_EQ(address->text(), "2.10");
+    address->setText("1.49");
+    EXPECT_EQ(desk.complaint("mover-address \"front 1\" 2.201"), "");
+    EXPECT_EQ(address->text(), "2.201") << "what nobody types follows";
 }
 
 TEST(Movers, what_is_no_truss_or_flies_already_stays) {
@@ -177,6 +226,29 @@ TEST(Movers, a_handle_drags_its_hoist_along_its_way_and_stops_at_the_end_stop) {
     stage.drag(stage.at({-2, 0, 4}), stage.at({-2, 0, 3}), Qt::LeftButton);
     EXPECT_TRUE(stage.by_hand().empty()) << "what is not seen is not dragged";
     EXPECT_FALSE(before.position_m == stage.bench.app.camera().position_m) << "the camera is";
+}
+
+TEST(Movers, a_drag_goes_on_while_an_edit_is_read) {
+    Flying stage;
+    const QPointF from = stage.at({-2, 0, 4}), to = stage.at({-2, 0, 3});
+    stage.mouse(QEvent::MouseButtonPress, from, Qt::LeftButton);
+    stage.mouse(QEvent::MouseMove, (from + to) / 2, Qt::LeftButton);
+    Opened opened = stage.bench.app.opened();
+    opened.is_edit = true;
+    stage.bench.link.opened.put(opened);
+    stage.bench.link.on_news();
+    settle();
+    stage.mouse(QEvent::MouseMove, to, Qt::LeftButton);
+    EXPECT_NEAR(stage.by_hand().at(0), -1, 0.06f);
+    auto show = std::make_shared<scene::Show>(*opened.show);
+    show->movers[0].name = "Another";
+    opened.show = show;
+    stage.bench.link.opened.put(opened);
+    stage.bench.link.on_news();
+    settle();
+    stage.mouse(QEvent::MouseMove, from, Qt::LeftButton);
+    EXPECT_NEAR(stage.by_hand().at(0), -1, 0.06f) << "it has hold of nothing any more";
+    stage.mouse(QEvent::MouseButtonRelease, from, Qt::LeftButton);
 }
 
 TEST(Movers, a_ghost_is_where_the_truss_goes_until_it_is_there) {

@@ -178,6 +178,31 @@ TEST(Pointing, a_drag_of_a_selected_lamp_moves_it_and_of_another_the_camera) {
     EXPECT_NE(seen.bench.app.camera().position_m, before.position_m);
 }
 
+// Each edit is heard of twice: at once, and when the engine has read it, perhaps in the next drag.
+TEST(Pointing, a_drag_goes_on_while_the_edit_before_it_is_read) {
+    for (const bool is_gone : {false, true}) {
+        Watched seen;
+        int moves = 0;
+        seen.view.on_move = [&](const glm::vec3&) { ++moves; };
+        seen.bench.app.select({3});
+        const QPointF from = seen.lamp(3), to = from - QPointF(30, 0);
+        seen.mouse(QEvent::MouseButtonPress, from, Qt::LeftButton);
+        seen.mouse(QEvent::MouseMove, (from + to) / 2, Qt::LeftButton);
+        Opened opened = seen.bench.app.opened();
+        opened.is_edit = true;
+        auto show = std::make_shared<scene::Show>(*opened.show);
+        show->fixtures[0].position_m.y = 2; // what the edit was about
+        if (is_gone) show->fixtures.pop_back();
+        opened.show = show;
+        seen.bench.link.opened.put(std::move(opened));
+        seen.bench.link.on_news();
+        settle();
+        seen.mouse(QEvent::MouseMove, to, Qt::LeftButton);
+        seen.mouse(QEvent::MouseButtonRelease, to, Qt::LeftButton);
+        EXPECT_EQ(moves, is_gone ? 0 : 1);
+    }
+}
+
 TEST(Pointing, shift_and_a_click_aims_and_selects_nothing) {
     Watched seen;
     std::vector<glm::vec2> places;
