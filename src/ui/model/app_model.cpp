@@ -252,6 +252,7 @@ void AppModel::take_opened(Opened opened) {
     // An edit later than this one is shown already.
     if (opened.is_edit && opened.text != request_.text) return;
     const Opened before = std::exchange(opened_, std::move(opened));
+    request_.counted = opened_.show;
     if (opened_.is_edit) {
         show_edit();
         return;
@@ -454,6 +455,7 @@ void AppModel::put_edit(std::shared_ptr<const std::string> text, scene::Show pre
     change_request([&](ViewRequest& request) {
         request.text = std::move(text);
         request.look = look;
+        request.counted = show();
     });
     fader_.forget(); // it counts fixtures as they were
     look_ = look;
