@@ -229,6 +229,7 @@ Window::Window(Link& link, const WindowOptions& options)
             20000);
         actions_.refresh();
     });
+    second_.on_key = [this](const QKeyEvent& key) { return press_shortcut(*this, key); };
     connect(&second_, &SecondDisplay::changed, this, [this](const QString& what) {
         if (!what.isEmpty()) say(what, 15000);
         actions_.refresh();

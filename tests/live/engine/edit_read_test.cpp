@@ -39,14 +39,14 @@ TEST(EditRead, hands_light_the_same_heads_until_the_show_is_read) {
     link.request.put(request);
     std::optional<ui::Opened> opened;
     ASSERT_TRUE(comes([&] { return (opened = link.opened.take()).has_value(); }));
-    const scene::Show& before = *opened->show;
-    const std::size_t count = before.fixtures.size();
+    const std::shared_ptr<const scene::Show> before = opened->show;
+    const std::size_t count = before->fixtures.size();
     ASSERT_GT(count, 3u);
-    request.camera = before.cameras.front();
+    request.camera = before->cameras.front();
     request.camera.width = 64;
     request.camera.height = 36;
     request.input = ui::Input::desk; // that nobody hears
-    request.counted = opened->show;
+    request.counted = before;
     const auto light = [&](std::size_t fixtures, std::size_t one) {
         request.look.fixtures.clear();
         for (std::size_t i = 0; i < fixtures; ++i)
@@ -63,9 +63,9 @@ TEST(EditRead, hands_light_the_same_heads_until_the_show_is_read) {
         return rig && are_right(*rig);
     }));
 
-    const std::string text = must(read_text_file(before.file, 1 << 20));
+    const std::string text = must(read_text_file(before->file, 1 << 20));
     request.text = std::make_shared<const std::string>(must(scene::copy_fixture(text, 0, {.name = "Copy"})));
-    auto shown = std::make_shared<scene::Show>(before);
+    auto shown = std::make_shared<scene::Show>(*before);
     shown->fixtures.insert(shown->fixtures.begin() + 1, shown->fixtures[0]);
     shown->fixtures[1].name = "Copy";
     request.counted = shown;
