@@ -106,6 +106,7 @@ private:
     QTimer hover_timer_;                 // until the mouse rests on it
     std::uint64_t picked_ = 0;           // number of the pick that a click waits for; 0: none
     bool adds_picked_ = false;
+    std::set<std::size_t> selected_then_; // when it was asked for
     std::vector<std::size_t> let_go_; // fixtures that the last click beside them let go of
     bool chooses_picked_ = false;     // an object that was met there
     QSet<int> held_;                  // keys that fly

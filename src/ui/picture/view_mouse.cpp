@@ -243,6 +243,7 @@ void View::click(const QPointF& place, Qt::KeyboardModifiers keys) {
     if (!adds) app_.select({});
     adds_picked_ = adds;
     chooses_picked_ = false;
+    selected_then_ = app_.selection();
     picked_ = app_.pick(camera_of_picture().position_m, way_of_mouse(place));
 }
 
@@ -262,6 +263,7 @@ void View::select_picked() {
     }
     if (!picked.fixture) return;
     picked_ = 0;
+    if (app_.selection() != selected_then_) return; // who selects something meanwhile means that
     if (*picked.fixture < app_.show()->fixtures.size()) select_one(*picked.fixture, adds_picked_);
 }
 
@@ -297,6 +299,7 @@ void View::mouseDoubleClickEvent(QMouseEvent* event) {
     // Its first click was no wish to let go of the heads that shall hang at what is chosen.
     if (app_.selection().empty()) app_.select_in_order(std::exchange(let_go_, {}));
     chooses_picked_ = true;
+    selected_then_ = app_.selection();
     const glm::vec3 way = way_of_mouse(event->position());
     const glm::vec3 beside = way_of_mouse(event->position() + QPointF(kBeside_px, 0));
     picked_ = app_.pick(camera_of_picture().position_m, way, glm::length(glm::cross(way, beside)));

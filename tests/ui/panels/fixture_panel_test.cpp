@@ -8,6 +8,7 @@
 #include <QKeyEvent>
 #include <QLineEdit>
 #include <QMouseEvent>
+#include <QPointer>
 #include <QTableView>
 
 namespace ghost::ui {
@@ -145,8 +146,8 @@ TEST(FixturePanel, the_value_of_the_first_is_typed_for_all_and_a_cell_that_is_le
     const auto enter = [&](int column, const QString& keys) {
         desk.app.select({0, 1, 2});
         table->edit(table->model()->index(0, column));
-        auto* const field = table->findChild<QLineEdit*>();
-        ASSERT_NE(field, nullptr);
+        const QPointer<QLineEdit> field = table->findChild<QLineEdit*>();
+        ASSERT_TRUE(field);
         field->selectAll();
         for (const QChar letter : keys) {
             QKeyEvent typed(QEvent::KeyPress, 0, Qt::NoModifier, QString(letter));

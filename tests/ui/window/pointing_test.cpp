@@ -113,6 +113,25 @@ TEST(Aim, through_the_picture_as_soon_as_the_engine_says_what_is_there) {
     EXPECT_EQ(said, "there is nothing but air to aim at");
 }
 
+TEST(Aim, a_late_answer_turns_the_heads_that_it_was_asked_for) {
+    Heads heads;
+    QWidget widget;
+    Actions actions(widget);
+    Aiming aiming(heads.app, actions, nullptr);
+    heads.app.select({1});
+    scene::Camera camera = heads.app.camera();
+    camera.width = 320;
+    camera.height = 180;
+    heads.show_picture(camera);
+    ASSERT_TRUE(aiming.aim_through({0.5f, 0.5f}).ok());
+    heads.app.select({2});
+    heads.link.picked.put({heads.app.request().pick.number, true, {0, 3, 2}, std::nullopt, "wall"});
+    heads.link.on_news();
+    settle();
+    ASSERT_EQ(heads.app.look().fixtures.size(), 1u);
+    EXPECT_TRUE(heads.app.look().fixtures.contains(1));
+}
+
 std::vector<Object> truss() {
     Object truss;
     truss.name = "truss_mid";
@@ -160,6 +179,17 @@ TEST(Pointing, a_body_far_from_its_lamp_is_selected_when_the_engine_says_whose_i
     seen.bench.link.on_news();
     settle();
     EXPECT_EQ(seen.bench.app.selection(), (std::set<std::size_t>{1, 2}));
+}
+
+TEST(Pointing, a_late_answer_to_a_click_leaves_what_was_selected_meanwhile) {
+    Watched seen;
+    seen.click({160, 150});
+    seen.bench.app.select({0, 3});
+    seen.bench.link.picked.put(
+        {seen.bench.app.request().pick.number, true, {0, 0, 1}, std::size_t{2}, "Lamp 3 yoke"});
+    seen.bench.link.on_news();
+    settle();
+    EXPECT_EQ(seen.bench.app.selection(), (std::set<std::size_t>{0, 3}));
 }
 
 TEST(Pointing, a_drag_of_a_selected_lamp_moves_it_and_of_another_the_camera) {
