@@ -17,16 +17,17 @@ namespace {
 constexpr double kFarthestAim_m = 10000;
 constexpr float kNear_deg = 0.01f; // a reach is held to that
 
-// Those that turn both ways, from left to right.
+bool turns_both_ways(const AppModel& app, std::size_t index) {
+    const scene::PatchedFixture& fixture = app.show()->fixtures[index];
+    if (!fixture.type || index >= app.rig().fixtures.size()) return false;
+    const fixture::Patch patch = fixture.patch();
+    return fixture::reach_of(patch, fixture::Role::pan) && fixture::reach_of(patch, fixture::Role::tilt);
+}
+
+// Those that do, from left to right.
 std::vector<std::size_t> heads_of(const AppModel& app) {
     std::vector<std::size_t> heads = heads_in(HeadOrder::left_to_right, app);
-    std::erase_if(heads, [&](std::size_t index) {
-        const scene::PatchedFixture& fixture = app.show()->fixtures[index];
-        if (!fixture.type || index >= app.rig().fixtures.size()) return true;
-        const fixture::Patch patch = fixture.patch();
-        return !fixture::reach_of(patch, fixture::Role::pan) ||
-               !fixture::reach_of(patch, fixture::Role::tilt);
-    });
+    std::erase_if(heads, [&](std::size_t index) { return !turns_both_ways(app, index); });
     return heads;
 }
 
@@ -94,8 +95,8 @@ void Aiming::take_picked() {
     // The answer may be late: another selection, or another show by then.
     std::vector<std::size_t> heads;
     for (const std::string& name : heads_)
-        for (std::size_t i = 0; i < app_.rig().fixtures.size() && i < app_.show()->fixtures.size(); ++i)
-            if (app_.show()->fixtures[i].name == name && app_.show()->fixtures[i].type) heads.push_back(i);
+        for (std::size_t i = 0; i < app_.show()->fixtures.size(); ++i)
+            if (app_.show()->fixtures[i].name == name && turns_both_ways(app_, i)) heads.push_back(i);
     if (picked.hit)
         say(aim_heads(app_, heads, picked.at_m, spread_m_));
     else if (actions_.complain)
