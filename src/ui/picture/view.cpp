@@ -149,7 +149,8 @@ void View::paintEvent(QPaintEvent*) {
     paint_fixtures(painter, heads, *app_.show(), {hovered_, why_hovered()}, overlays);
     if (drag_ == Drag::lamp) paint_moved(painter, heads, moved_by_m_, drag_at_, lamp_->words(moved_by_m_));
     if (const auto object = app_.marked(); object && overlays.marks)
-        paint_object(painter, place, picture.camera, app_.opened().objects[*object],
+        paint_object(painter, place, picture.camera,
+                     object_now({app_.opened(), app_.rig(), place, picture.camera}, *object),
                      drag_ == Drag::object ? moved_by_m_ : glm::vec3(0));
     if (const auto handle = handle_of_object(); handle && drag_ != Drag::object)
         paint_handle(painter, *handle);

@@ -75,6 +75,7 @@ private:
     std::optional<std::size_t> lamp_at(const QPointF& place) const;
     Drag drag_of_left(Qt::KeyboardModifiers keys);
     void drag_lamp(bool upright);
+    glm::vec3 dragged_by_m() const; // where the model has it
     // What a drag of the left button moves: lamps, an object, an axis of a mover.
     std::vector<std::string> names_of_dragged() const;
     // Of the chosen object; nothing: none is, or it is not in sight.
@@ -100,6 +101,7 @@ private:
     Wipe wipe_;
     std::optional<LampDrag> lamp_; // that is dragged
     glm::vec3 moved_by_m_{0};
+    glm::mat3 dragged_turn_{1}; // of what it is that a mover carries
     std::optional<MoverHandle> mover_;   // whose handle has the mouse
     float mover_value_ = 0;              // that it was dragged to
     std::optional<std::size_t> hovered_; // fixture

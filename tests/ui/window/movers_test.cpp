@@ -265,6 +265,56 @@ TEST(Movers, a_ghost_is_where_the_truss_goes_until_it_is_there) {
     EXPECT_LT(stage.marked(), rests + 80) << "it is there";
 }
 
+// Its ring, its cross, and what its lamps go along are where it is seen.
+TEST(Movers, what_flies_is_dragged_where_it_is) {
+    Flying stage;
+    stage.view.overlays.movers = false; // no handle near
+    Opened opened = stage.bench.app.opened();
+    opened.is_edit = true;
+    opened.objects[0].bar = scene::Bar{{-3, 0, 4.2f}, {3, 0, 4.2f}, 0.4f, 0.4f};
+    stage.bench.link.opened.put(std::move(opened));
+    RigNow rig = four_lit();
+    for (FixtureNow& lamp : rig.fixtures) lamp.light_m.z -= 2;
+    rig.movers = {{{-2, -2}, {-2, -2}, {0, 0}}};
+    stage.bench.link.rig.put(std::move(rig));
+    stage.bench.link.on_news();
+    settle();
+    std::optional<std::size_t> moved;
+    stage.view.on_move_object = [&](std::size_t object, const glm::vec3&) { moved = object; };
+    glm::vec3 by_m(0);
+    stage.view.on_move = [&](const glm::vec3& so_far_m) { by_m = so_far_m; };
+    stage.bench.app.select({1});
+    stage.drag(stage.at({-1, 0, 2}), stage.at({-1, 0, 2}) + QPointF(20, -12), Qt::LeftButton);
+    EXPECT_GT(by_m.x, 0.2f);
+    EXPECT_EQ(by_m.y, 0) << "along its truss";
+    EXPECT_EQ(by_m.z, 0);
+    stage.bench.app.select({});
+    stage.bench.app.mark(0);
+    stage.drag(stage.at({0, 0, 2}), stage.at({0.5f, 0, 2}), Qt::LeftButton);
+    EXPECT_EQ(moved, 0u);
+
+    // Turned by a quarter: what goes to the right as it is seen goes up-stage where the model has it.
+    opened = stage.bench.app.opened();
+    auto show = std::make_shared<scene::Show>(*opened.show);
+    scene::Mover& disc = show->movers[0];
+    disc.kind = scene::MoverKind::revolve;
+    disc.axes.resize(1);
+    disc.axes[0].is_angle = true;
+    opened.show = show;
+    opened.objects[0].bar.reset();
+    stage.bench.link.opened.put(opened);
+    rig = four_lit();
+    rig.movers = {{{-90}, {-90}, {0}}};
+    stage.bench.link.rig.put(std::move(rig));
+    stage.bench.link.on_news();
+    settle();
+    stage.bench.app.mark(std::nullopt);
+    stage.bench.app.select({2});
+    stage.drag(stage.lamp(2), stage.lamp(2) + QPointF(20, 0), Qt::LeftButton);
+    EXPECT_NEAR(by_m.x, 0, 0.01f);
+    EXPECT_GT(by_m.y, 0.2f);
+}
+
 TEST(Movers, keys_drive_what_carries_the_selection_all_hoists_alike) {
     Flying stage;
     QWidget widget;
