@@ -15,6 +15,7 @@
 #include <QSet>
 #include <QWidget>
 
+#include <set>
 #include <string>
 #include <vector>
 

@@ -173,14 +173,16 @@ Window::Window(Link& link, const WindowOptions& options)
         ++steps_;
         if (index < step_said_) step_said_ = -1; // what comes there now is another one
         toast_->allow_undo(index == step_said_);
+        say_hand_taken();
     });
     actions_.count_steps = [this] { return steps_; };
     actions_.on_done = [this](const Action& action, bool made_step) {
         if (notice_) notice_->forget_refused();
         say_done(action, made_step);
     };
-    // Once its step is in the undo list.
-    connect(&app_, &AppModel::look_changed, this, &Window::say_hand_taken, Qt::QueuedConnection);
+    // Also where another show has none; what hands take is said once its step is in the undo list.
+    connect(&app_, &AppModel::look_changed, this,
+            [this] { had_hand_ = had_hand_ && !app_.look().fixtures.empty(); });
     transport_ = new QToolBar(translated("Panel", "Transport"), this);
     transport_->setObjectName("transport");
     transport_->setMovable(false);

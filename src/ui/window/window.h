@@ -28,6 +28,8 @@
 #include <QMainWindow>
 #include <QToolBar>
 
+#include <functional>
+
 namespace ghost::ui {
 
 class CuePanel;
