@@ -163,10 +163,16 @@ std::string carrier_of(const scene::Show& show, const Object& object) {
 } // namespace
 
 std::string carrier_at(const AppModel& app, const glm::vec3& place_m) {
-    for (const Object& object : app.opened().objects)
-        if (object.bar && scene::is_slender(*object.bar) && scene::hangs_away_m(*object.bar, place_m))
-            return carrier_of(*app.show(), object);
-    return "";
+    std::string nearest;
+    float nearest_m = INFINITY;
+    for (const Object& object : app.opened().objects) {
+        if (!object.bar || !scene::is_slender(*object.bar)) continue;
+        const std::optional<float> away_m = scene::hangs_away_m(*object.bar, place_m);
+        if (!away_m || *away_m >= nearest_m) continue;
+        nearest_m = *away_m;
+        nearest = carrier_of(*app.show(), object);
+    }
+    return nearest;
 }
 
 Result<void> hang_under(AppModel& app, ShowDocument& document, std::size_t object) {
