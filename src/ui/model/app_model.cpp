@@ -171,6 +171,9 @@ void AppModel::read_news() {
     }
     if (auto news = link_.picked.take(); news && news->number == request_.pick.number) {
         picked_ = std::move(*news);
+        if (picked_.fixture && drawn_ && show()) // which may be that before an edit
+            picked_.fixture = place_of(*picked_.fixture, drawn_->fixtures, show()->fixtures,
+                                       [](const auto& a, const auto& b) { return a.name == b.name; });
         Q_EMIT picked_came();
     }
     if (auto news = link_.recorded.take()) {
