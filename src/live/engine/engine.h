@@ -125,12 +125,12 @@ private:
     EngineOptions options_;
     const Clock::time_point start_ = Clock::now();
     ui::ViewRequest request_;
-    std::string tried_;                       // the show that was asked for last, open or not
-    std::uint64_t opens_ = 0;                 // of the request then
-    std::shared_ptr<const std::string> text_; // of it, likewise
+    std::string tried_;                             // the show that was asked for last, open or not
+    std::uint64_t opens_ = 0;                       // of the request then
+    std::shared_ptr<const std::string> text_;       // of it, likewise
     std::shared_ptr<const std::string> drawn_text_; // that the session was opened with
     ui::Look counted_;                              // the look, where indices are others there
-    std::string played_;                      // of the request: what is played instead of the show's own
+    std::string played_; // of the request: what is played instead of the show's own
     DeskRecorder recorder_{link_};
     MessageBoard messages_{link_};
     image::ImagePool pictures_;                            // for the window

@@ -33,7 +33,7 @@ private:
 
     AppModel& app_;
     Actions& actions_;
-    std::uint64_t number_ = 0; // of the pick that is waited for; 0: none
+    std::uint64_t number_ = 0;       // of the pick that is waited for; 0: none
     std::vector<std::string> heads_; // that shall be aimed, from left to right
     float spread_m_ = 0;
 };

@@ -27,7 +27,8 @@ bool has_same_rows(const scene::Mover& a, const scene::Mover& b) {
     const auto is_same = [](const scene::MoverAxis& x, const scene::MoverAxis& y) {
         return x.name == y.name && x.is_angle == y.is_angle && x.low == y.low && x.high == y.high;
     };
-    return a.name == b.name && std::equal(a.axes.begin(), a.axes.end(), b.axes.begin(), b.axes.end(), is_same);
+    return a.name == b.name &&
+           std::equal(a.axes.begin(), a.axes.end(), b.axes.begin(), b.axes.end(), is_same);
 }
 
 } // namespace

@@ -40,7 +40,7 @@ private:
     QToolButton* store_;
     QListWidget* list_;
     std::vector<scene::Palette> shown_; // of the kind
-    bool follows_ = false; // it is being filled, not edited
+    bool follows_ = false;              // it is being filled, not edited
 };
 
 } // namespace ghost::ui

@@ -102,7 +102,7 @@ private:
     Wipe wipe_;
     std::optional<LampDrag> lamp_; // that is dragged
     glm::vec3 moved_by_m_{0};
-    glm::mat3 dragged_turn_{1}; // of what it is that a mover carries
+    glm::mat3 dragged_turn_{1};          // of what it is that a mover carries
     std::optional<MoverHandle> mover_;   // whose handle has the mouse
     float mover_value_ = 0;              // that it was dragged to
     std::optional<std::size_t> hovered_; // fixture
@@ -110,9 +110,9 @@ private:
     std::uint64_t picked_ = 0;           // number of the pick that a click waits for; 0: none
     bool adds_picked_ = false;
     std::set<std::size_t> selected_then_; // when it was asked for
-    std::vector<std::size_t> let_go_; // fixtures that the last click beside them let go of
-    bool chooses_picked_ = false;     // an object that was met there
-    QSet<int> held_;                  // keys that fly
+    std::vector<std::size_t> let_go_;     // fixtures that the last click beside them let go of
+    bool chooses_picked_ = false;         // an object that was met there
+    QSet<int> held_;                      // keys that fly
     QTimer fly_timer_;
     QElapsedTimer fly_clock_;
 

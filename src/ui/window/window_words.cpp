@@ -80,7 +80,8 @@ void Window::say_done(const Action& action, bool made_step) {
 
 void Window::say_step(const QString& what, std::function<void()> name) {
     step_said_ = app_.undo_stack().index();
-    toast_->say(what, [this] { actions_.choose("undo"); }, std::move(name));
+    toast_->say(
+        what, [this] { actions_.choose("undo"); }, std::move(name));
 }
 
 void Window::say_hand_taken() {
@@ -95,7 +96,8 @@ void Window::say_hand_taken() {
         QString words = words_of(app_.look());
         if (dark > 0)
             words = translated("Notice", "%1, of which %2 have no optics and stay dark").arg(words).arg(dark);
-        say_step(translated("Notice", "By hand now: %1. R gives back what is selected, Shift+R all").arg(words));
+        say_step(
+            translated("Notice", "By hand now: %1. R gives back what is selected, Shift+R all").arg(words));
     }
     had_hand_ = has_hand;
 }

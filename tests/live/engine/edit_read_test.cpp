@@ -117,7 +117,8 @@ TEST(EditRead, a_look_is_counted_by_names) {
     scene::Show without_lift = show_of({"A", "B", "C"});
     without_lift.movers.erase(without_lift.movers.begin());
     look.movers = {{0, {2}}};
-    EXPECT_EQ(counted_as(drawn, look, without_lift).movers, (std::map<std::size_t, std::vector<float>>{{1, {2}}}));
+    EXPECT_EQ(counted_as(drawn, look, without_lift).movers,
+              (std::map<std::size_t, std::vector<float>>{{1, {2}}}));
 }
 
 } // namespace
