@@ -100,6 +100,8 @@ struct ViewRequest {
     glm::ivec2 frame{0}; // of the camera's field of view, all of which is shown whatever the window's shape;
                          // 0: the window itself
     Look look;
+    std::shared_ptr<const scene::Show>
+        counted; // by whose indices the look goes, that of the text; null: unknown
     bool black_out = false;
     bool frozen = false; // time stands still: nothing turns, strobes or drifts; hands act at once
     std::optional<fixture::Motion> motion; // of heads and movers; nothing: the show's

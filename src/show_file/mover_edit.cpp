@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "show_file/mover_edit.h"
 
+#include "base/text.h"
 #include "dmx/wire/universes.h"
 #include "json_xml_toml/toml_keys.h"
+
+#include <algorithm>
+#include <optional>
 
 namespace ghost::scene {
 namespace {
@@ -77,6 +81,33 @@ Result<std::string> set_mover_address(const std::string& text, const Mover& move
         TRY_VOID(write(document, *axis, keys));
         write(*array_of(*array_of(expected, "mover").get(number)->as_table(), "axis").get(k)->as_table(),
               keys);
+    }
+    return checked(document, expected);
+}
+
+Result<std::string> hang_on_mover(const std::string& text, const std::string& name,
+                                  const std::vector<std::string>& fixtures) {
+    TRY(TomlText document, TomlText::parse(text));
+    toml::table expected = document.root();
+    const std::vector<const toml::table*> tables = document.tables("mover");
+    for (std::size_t k = 0; k < tables.size(); ++k) {
+        if (!tables[k]) continue;
+        std::vector<std::string> carried;
+        if (const toml::array* const list = (*tables[k])["fixtures"].as_array())
+            for (const toml::node& node : *list) carried.push_back(node.value_or(std::string()));
+        const std::vector<std::string> before = carried;
+        const bool is_it = (*tables[k])["name"].value_or(std::string()) == name;
+        for (const std::string& fixture : fixtures) {
+            if (!is_it)
+                std::erase(carried, fixture);
+            else if (std::none_of(carried.begin(), carried.end(),
+                                  [&](const std::string& pattern) { return matches(pattern, fixture); }))
+                carried.push_back(fixture);
+        }
+        if (carried == before) continue;
+        const Keys keys{{"fixtures", carried.empty() ? std::nullopt : std::optional(toml_text(carried))}};
+        TRY_VOID(write(document, *tables[k], keys));
+        write(*array_of(expected, "mover").get(k)->as_table(), keys);
     }
     return checked(document, expected);
 }

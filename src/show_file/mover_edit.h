@@ -7,6 +7,7 @@
 #include "show/movers.h"
 
 #include <string>
+#include <vector>
 
 namespace ghost::scene {
 
@@ -17,5 +18,10 @@ Result<std::string> add_mover(const std::string& text, const Mover& mover);
 // the end of the universe.
 Result<std::string> set_mover_address(const std::string& text, const Mover& mover,
                                       const fixture::Address& first, int bits);
+
+// These fixtures, by name, go with the mover of that name, "": with none, and no longer with another one that
+// names them; what its patterns fit goes with it still.
+Result<std::string> hang_on_mover(const std::string& text, const std::string& name,
+                                  const std::vector<std::string>& fixtures);
 
 } // namespace ghost::scene

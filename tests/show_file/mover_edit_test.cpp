@@ -63,6 +63,20 @@ TEST(MoverEdit, channels_of_all_axes_follow_the_first) {
     EXPECT_EQ(movers_in(must(set_mover_address(text, truss(), {1, 1}, 8)))[0].axes[1].levels.size(), 1u);
 }
 
+TEST(MoverEdit, what_hangs_elsewhere_goes_with_that_mover_and_with_no_other) {
+    Mover back = truss();
+    back.name = "Back";
+    back.fixtures = {"Wash *"};
+    const std::string before = must(add_mover(must(add_mover(kShowHead, truss())), back));
+    const std::string to_back = must(hang_on_mover(before, "Back", {"Spot 1", "Wash 3"}));
+    EXPECT_EQ(movers_in(to_back)[0].fixtures, std::vector<std::string>{});
+    EXPECT_EQ(movers_in(to_back)[1].fixtures, (std::vector<std::string>{"Wash *", "Spot 1"}));
+    const std::string free = must(hang_on_mover(to_back, "", {"Spot 1", "Wash 3"}));
+    EXPECT_EQ(movers_in(free)[1].fixtures, std::vector<std::string>{"Wash *"}) << "a pattern stays";
+    EXPECT_EQ(must(hang_on_mover(before, "Back", {"Wash 1"})), before);
+    EXPECT_EQ(must(hang_on_mover(kShowHead, "", {"Spot 1"})), kShowHead);
+}
+
 TEST(MoverEdit, what_cannot_be_is_said_and_changes_nothing) {
     const std::string text = must(add_mover(kShowHead, truss()));
     const auto past = set_mover_address(text, truss(), {1, 510}, 16);

@@ -204,6 +204,7 @@ void Engine::adopt(std::unique_ptr<Session> session, Opening::Kind kind) {
     forget_beside();
     look_.reset();
     std::unique_ptr<Session> session_before = std::exchange(session_, std::move(session));
+    drawn_text_ = text_;
     if (kind != Opening::Kind::another && session_before)
         session_->rig->go_on_from(*session_before->rig,
                                   same_fixtures(*session_before->show, *session_->show));

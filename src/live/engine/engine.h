@@ -105,6 +105,8 @@ private:
 
     // The show that is open has another text; engine_edits.cpp.
     void take_edit();
+    // Of the request, by the indices of the show that is drawn.
+    const ui::Look& look_of_drawn();
     void take_air(const scene::Show& edited);
     void choose_recording();
 
@@ -123,10 +125,12 @@ private:
     EngineOptions options_;
     const Clock::time_point start_ = Clock::now();
     ui::ViewRequest request_;
-    std::string tried_;                       // the show that was asked for last, open or not
-    std::uint64_t opens_ = 0;                 // of the request then
-    std::shared_ptr<const std::string> text_; // of it, likewise
-    std::string played_;                      // of the request: what is played instead of the show's own
+    std::string tried_;                             // the show that was asked for last, open or not
+    std::uint64_t opens_ = 0;                       // of the request then
+    std::shared_ptr<const std::string> text_;       // of it, likewise
+    std::shared_ptr<const std::string> drawn_text_; // that the session was opened with
+    ui::Look counted_;                              // the look, where indices are others there
+    std::string played_; // of the request: what is played instead of the show's own
     DeskRecorder recorder_{link_};
     MessageBoard messages_{link_};
     image::ImagePool pictures_;                            // for the window

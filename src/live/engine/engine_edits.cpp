@@ -4,6 +4,7 @@
 #include "live/engine/engine.h"
 
 #include "disk/files.h"
+#include "live/session/applied_look.h"
 #include "live/session/take_patch.h"
 #include "show_file/show_edit.h"
 
@@ -30,6 +31,7 @@ void Engine::take_edit() {
         Report report;
         const auto edited = open_show(path, false, true, report, text_);
         if (edited.ok() && take_patch(*session_, *edited, report)) {
+            drawn_text_ = text_;
             listen_to_patch();
             rdm_.know_anew();
             take_air(*edited);
@@ -42,6 +44,13 @@ void Engine::take_edit() {
     link_.activity.put("taking the changes of " + path);
     link_.on_news();
     opening_.begin(Opening::Kind::edit, [options = session_options(path)] { return open_session(options); });
+}
+
+// An edit may be read for a minute; until then hands hold the same heads in what is drawn.
+const ui::Look& Engine::look_of_drawn() {
+    if (request_.text == drawn_text_ || !request_.counted) return request_.look;
+    counted_ = counted_as(*session_->show, request_.look, *request_.counted);
+    return counted_;
 }
 
 void Engine::take_air(const scene::Show& edited) {

@@ -189,10 +189,11 @@ void Engine::frame() {
         session_->media_s = input_->at_s();
     else if (!request_.frozen)
         session_->media_s = desk_.timecode() ? desk_.timecode()->at_s(kLongestFilm_s) : std::nullopt;
-    session_->rig->movers().drive(request_.look.movers);
+    const ui::Look& look = look_of_drawn();
+    session_->rig->movers().drive(look.movers);
     session_->rig->set_time(session_->media_s);
     session_->rig->leave_unasked_dark(leaves_unasked_dark());
-    session_->rig->step(input_->universes(), dt_s, request_.look.fixtures);
+    session_->rig->step(input_->universes(), dt_s, look.fixtures);
     scene::Camera wanted = scene::riding(wanted_camera(), *session_->rig);
     if (trackers) wanted = follow(wanted, *session_->show, *trackers); // trackers do not ride
     wanted = scene::with_frame(wanted, request_.frame);
@@ -200,13 +201,13 @@ void Engine::frame() {
     session_->master =
         request_.black_out ? 0.0f : std::clamp(request_.master, 0.0f, 1.0f) * controls_.remote().light();
     session_->stop_bounce(request_.stops_bounce);
-    const bool sees_else = look_->apply(request_.look, *session_) || thicker;
+    const bool sees_else = look_->apply(look, *session_) || thicker;
     if (sees_else) live_.look_anew();
     session_->relighter->set_exposure(wanted.ev100, wanted.auto_exposure);
     session_->options.tone =
         controls_.remote().tone.value_or(request_.tone); // of pictures that are made anew
     session_->relighter->set_tone(session_->options.tone);
-    const int samples = std::clamp(request_.look.haze_samples.value_or(ui::kHazeSamples), 1, 256);
+    const int samples = std::clamp(look.haze_samples.value_or(ui::kHazeSamples), 1, 256);
     if (live_.set_haze_samples(samples, *session_)) last_change_s_ = begin_s;
 
     if (session_->media_s)

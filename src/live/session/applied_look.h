@@ -11,6 +11,11 @@ namespace ghost::app {
 // What can be hidden and changed by hand, for the window.
 ui::Opened opened_from(const Session& session);
 
+// The look that goes by the indices of one show, by those of another one: heads by the plot's UUID or by
+// name, or, where one was renamed, by number; movers by name; what that show does not have is left out. Of
+// objects and materials, which a show has no list of, the indices stay.
+ui::Look counted_as(const scene::Show& show, const ui::Look& look, const scene::Show& counted);
+
 // The session's show has the haze, the hazers and the bounced light of that one now. True: the air is
 // another, and look_from has to follow.
 bool take_air(const scene::Show& edited, Session& session);

@@ -17,25 +17,22 @@ namespace {
 constexpr double kFarthestAim_m = 10000;
 constexpr float kNear_deg = 0.01f; // a reach is held to that
 
-// Those that turn both ways, from left to right.
+bool turns_both_ways(const AppModel& app, std::size_t index) {
+    const scene::PatchedFixture& fixture = app.show()->fixtures[index];
+    if (!fixture.type || index >= app.rig().fixtures.size()) return false;
+    const fixture::Patch patch = fixture.patch();
+    return fixture::reach_of(patch, fixture::Role::pan) && fixture::reach_of(patch, fixture::Role::tilt);
+}
+
+// Those that do, from left to right.
 std::vector<std::size_t> heads_of(const AppModel& app) {
     std::vector<std::size_t> heads = heads_in(HeadOrder::left_to_right, app);
-    std::erase_if(heads, [&](std::size_t index) {
-        const scene::PatchedFixture& fixture = app.show()->fixtures[index];
-        if (!fixture.type || index >= app.rig().fixtures.size()) return true;
-        const fixture::Patch patch = fixture.patch();
-        return !fixture::reach_of(patch, fixture::Role::pan) ||
-               !fixture::reach_of(patch, fixture::Role::tilt);
-    });
+    std::erase_if(heads, [&](std::size_t index) { return !turns_both_ways(app, index); });
     return heads;
 }
 
-} // namespace
-
-Result<int> aim_selected(AppModel& app, const glm::vec3& at_m, float spread_m) {
-    if (app.selection().empty()) return Error{"no fixture is selected", ""};
-    const std::vector<std::size_t> heads = heads_of(app);
-    if (heads.empty()) return Error{"nothing that is selected turns both ways", ""};
+// How many do not reach.
+int aim_heads(AppModel& app, const std::vector<std::size_t>& heads, const glm::vec3& at_m, float spread_m) {
     Look look = app.look();
     int beyond = 0;
     for (std::size_t k = 0; k < heads.size(); ++k) {
@@ -65,6 +62,15 @@ Result<int> aim_selected(AppModel& app, const glm::vec3& at_m, float spread_m) {
     return beyond;
 }
 
+} // namespace
+
+Result<int> aim_selected(AppModel& app, const glm::vec3& at_m, float spread_m) {
+    if (app.selection().empty()) return Error{"no fixture is selected", ""};
+    const std::vector<std::size_t> heads = heads_of(app);
+    if (heads.empty()) return Error{"nothing that is selected turns both ways", ""};
+    return aim_heads(app, heads, at_m, spread_m);
+}
+
 Aiming::Aiming(AppModel& app, Actions& actions, QObject* parent)
     : QObject(parent), app_(app), actions_(actions) {
     connect(&app_, &AppModel::picked_came, this, &Aiming::take_picked);
@@ -72,8 +78,11 @@ Aiming::Aiming(AppModel& app, Actions& actions, QObject* parent)
 
 Result<void> Aiming::aim_through(const glm::vec2& place, float spread_m) {
     if (app_.selection().empty()) return Error{"no fixture is selected", ""};
-    if (heads_of(app_).empty()) return Error{"nothing that is selected turns both ways", ""};
+    const std::vector<std::size_t> heads = heads_of(app_);
+    if (heads.empty()) return Error{"nothing that is selected turns both ways", ""};
     if (!app_.picture().image) return Error{"there is no picture yet", ""};
+    heads_.clear();
+    for (const std::size_t index : heads) heads_.push_back(app_.show()->fixtures[index].name);
     const scene::Camera& camera = app_.picture().camera;
     spread_m_ = spread_m;
     number_ = app_.pick(camera.position_m, scene::way_through(camera, place));
@@ -84,8 +93,13 @@ void Aiming::take_picked() {
     const Picked& picked = app_.picked();
     if (picked.number != number_) return;
     number_ = 0;
+    // The answer may be late: another selection, or another show by then.
+    std::vector<std::size_t> heads;
+    for (const std::string& name : heads_)
+        for (std::size_t i = 0; i < app_.show()->fixtures.size(); ++i)
+            if (app_.show()->fixtures[i].name == name && turns_both_ways(app_, i)) heads.push_back(i);
     if (picked.hit)
-        say(aim_selected(app_, picked.at_m, spread_m_));
+        say(aim_heads(app_, heads, picked.at_m, spread_m_));
     else if (actions_.complain)
         actions_.complain(Error{"there is nothing but air to aim at", ""});
 }

@@ -8,6 +8,9 @@
 
 #include <glm/glm.hpp>
 
+#include <string>
+#include <vector>
+
 namespace ghost::ui {
 
 // at_m: of the world. spread_m: the heads, from left to right as the house sees them, point at as many places
@@ -30,7 +33,8 @@ private:
 
     AppModel& app_;
     Actions& actions_;
-    std::uint64_t number_ = 0; // of the pick that is waited for; 0: none
+    std::uint64_t number_ = 0;       // of the pick that is waited for; 0: none
+    std::vector<std::string> heads_; // that shall be aimed, from left to right
     float spread_m_ = 0;
 };
 

@@ -151,7 +151,29 @@ Result<void> set_address(AppModel& app, ShowDocument& document, const QStringLis
                          {std::move(text), app.look(), app.selection()});
 }
 
+// Its name; "": none. By the show's names: the engine may not have read yet that it flies.
+std::string carrier_of(const scene::Show& show, const Object& object) {
+    for (const scene::Mover& mover : show.movers)
+        for (const std::string& pattern : mover.objects)
+            if (matches(pattern, object.name)) return mover.name;
+    const auto index = static_cast<std::size_t>(object.mover);
+    return object.mover == scene::kNoMover || index >= show.movers.size() ? "" : show.movers[index].name;
+}
+
 } // namespace
+
+std::string carrier_at(const AppModel& app, const glm::vec3& place_m) {
+    std::string nearest;
+    float nearest_m = INFINITY;
+    for (const Object& object : app.opened().objects) {
+        if (!object.bar || !scene::is_slender(*object.bar)) continue;
+        const std::optional<float> away_m = scene::hangs_away_m(*object.bar, place_m);
+        if (!away_m || *away_m >= nearest_m) continue;
+        nearest_m = *away_m;
+        nearest = carrier_of(*app.show(), object);
+    }
+    return nearest;
+}
 
 Result<void> hang_under(AppModel& app, ShowDocument& document, std::size_t object) {
     TRY_VOID(places_of_selection(app, document));
@@ -178,7 +200,8 @@ Result<void> hang_under(AppModel& app, ShowDocument& document, std::size_t objec
     for (glm::vec3& place_m : *places) place_m = in_millimetres(place_m);
     return PatchEdit(app, document)
         .set_positions(
-            translated("Undo", "Hung under '%1'").arg(QString::fromStdString(objects[object].name)), *places);
+            translated("Undo", "Hung under '%1'").arg(QString::fromStdString(objects[object].name)), *places,
+            carrier_of(*app.show(), objects[object]));
 }
 
 Result<void> hang(AppModel& app, ShowDocument& document, const QString& pattern) {

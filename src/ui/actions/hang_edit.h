@@ -10,9 +10,11 @@
 
 #include <QString>
 
+#include <string>
+
 namespace ghost::ui {
 
-// Beside what hangs there. object: of Opened::objects.
+// Beside what hangs there; where the truss goes with a mover, they do, too. object: of Opened::objects.
 Result<void> hang_under(AppModel& app, ShowDocument& document, std::size_t object);
 // The same under the truss nearest to them; pattern: of the objects called so, if it is not empty.
 Result<void> hang(AppModel& app, ShowDocument& document, const QString& pattern);
@@ -21,6 +23,9 @@ Result<void> hang(AppModel& app, ShowDocument& document, const QString& pattern)
 // the others that hang there; where there is no such truss, at least at lowest_m.
 glm::vec3 place_above(const std::vector<Object>& objects, const std::vector<scene::PatchedFixture>& others,
                       const scene::PatchedFixture& made, const glm::vec3& floor_m, float lowest_m);
+
+// The mover of the truss under which a place is, by name; "": none.
+std::string carrier_at(const AppModel& app, const glm::vec3& place_m);
 
 // The truss with all its pieces and what hangs under it, on hoists a fifth from its ends, at a free address.
 // object: of Opened::objects.

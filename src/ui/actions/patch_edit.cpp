@@ -9,9 +9,12 @@
 #include "show/names.h"
 #include "show_file/camera_edit.h"
 #include "show_file/fixture_names_edit.h"
+#include "show_file/mover_edit.h"
+#include "ui/actions/hang_edit.h"
 #include "ui/language/language.h"
 
 #include <algorithm>
+#include <map>
 #include <set>
 
 namespace ghost::ui {
@@ -178,15 +181,21 @@ Result<void> PatchEdit::set_position(const glm::vec3& position_m) {
                      });
 }
 
-Result<void> PatchEdit::set_positions(const QString& what, const std::vector<glm::vec3>& positions_m) {
-    std::size_t number = 0;
-    return edit_each(what,
-                     [&](const scene::PatchedFixture& fixture, scene::FixtureEdit& edit) -> Result<void> {
-                         if (fixture.track)
-                             return Error{"hangs on a track, which says where it is", fixture.name};
-                         edit.position_m = positions_m.at(number++);
-                         return {};
-                     });
+Result<void> PatchEdit::set_positions(const QString& what, const std::vector<glm::vec3>& positions_m,
+                                      const std::optional<std::string>& mover) {
+    std::vector<std::string> names;
+    const auto place = [&](const scene::PatchedFixture& fixture, scene::FixtureEdit& edit) -> Result<void> {
+        if (fixture.track) return Error{"hangs on a track, which says where it is", fixture.name};
+        edit.position_m = positions_m.at(names.size());
+        names.push_back(fixture.name);
+        return {};
+    };
+    TRY(const auto edits, edits_of_each(place));
+    TRY(std::string text, scene::edit_fixtures(document_.text(), edits));
+    if (mover) {
+        TRY(text, scene::hang_on_mover(text, *mover, names));
+    }
+    return document_.edit(what + by_, {std::move(text), app_.look(), app_.selection()});
 }
 
 Result<void> PatchEdit::move_by(const glm::vec3& by_m) {
@@ -242,12 +251,15 @@ Result<void> PatchEdit::duplicate(const glm::vec3& by_m) {
     for (const scene::PatchedFixture& fixture : fixtures()) taken.insert(fixture.name);
     std::vector<fixture::Patch> patched = patches();
     std::vector<std::pair<std::size_t, scene::FixtureEdit>> copies;
+    std::map<std::size_t, std::vector<std::string>> carried; // by index of the mover
     for (const std::size_t index : app_.selection()) {
         const scene::PatchedFixture& fixture = fixtures()[index];
         if (!fixture.uuid.empty())
             return Error{"is of the plot, which only its own program can add to", fixture.name};
         scene::FixtureEdit edit;
         edit.name = next_name(fixture.name, taken);
+        if (fixture.mover != scene::kNoMover)
+            carried[static_cast<std::size_t>(fixture.mover)].push_back(*edit.name);
         if (!fixture.track) edit.position_m = fixture.position_m + by_m;
         if (fixture.address > 0) {
             const auto free =
@@ -263,6 +275,9 @@ Result<void> PatchEdit::duplicate(const glm::vec3& by_m) {
     std::string text = document_.text();
     for (auto copy = copies.rbegin(); copy != copies.rend(); ++copy) {
         TRY(text, scene::copy_fixture(text, copy->first, copy->second));
+    }
+    for (const auto& [mover, names] : carried) {
+        TRY(text, scene::hang_on_mover(text, app_.show()->movers[mover].name, names));
     }
     const auto place = [&](std::size_t index) -> std::optional<std::size_t> {
         return index +
@@ -478,6 +493,9 @@ Result<void> PatchEdit::add(const fs::path& file, const glm::vec3& position_m) {
     if (loaded.type.modes.size() > 1 && !loaded.type.modes.front().name.empty())
         made.keys.mode = loaded.type.modes.front().name;
     TRY(std::string text, scene::add_fixture(document_.text(), made));
+    if (const std::string mover = carrier_at(app_, position_m); !mover.empty()) {
+        TRY(text, scene::hang_on_mover(text, mover, {*made.keys.name}));
+    }
     const auto of_file = static_cast<std::size_t>(
         std::count_if(fixtures().begin(), fixtures().end(),
                       [](const scene::PatchedFixture& fixture) { return fixture.uuid.empty(); }));

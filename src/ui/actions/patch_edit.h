@@ -12,6 +12,7 @@
 
 #include <optional>
 #include <set>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -38,8 +39,10 @@ public:
     Result<void> set_axis(int axis, float place_m); // axis 0 to 2
     Result<void> move_by(const glm::vec3& by_m);
     Result<void> set_rotation(const glm::vec3& rotation_deg);
-    // Each selected one its own, in the order of the show.
-    Result<void> set_positions(const QString& what, const std::vector<glm::vec3>& positions_m);
+    // Each selected one its own, in the order of the show. mover: that all of them go with from now on, ""
+    // with none; nothing: each as it did.
+    Result<void> set_positions(const QString& what, const std::vector<glm::vec3>& positions_m,
+                               const std::optional<std::string>& mover = {});
     // All at the first one's place on this axis.
     Result<void> align(int axis);
     // Evenly between the first and the last.

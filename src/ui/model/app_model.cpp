@@ -157,6 +157,9 @@ void AppModel::read_news() {
     }
     if (auto news = link_.picked.take(); news && news->number == request_.pick.number) {
         picked_ = std::move(*news);
+        if (picked_.fixture && drawn_ && show()) // which may be that before an edit
+            picked_.fixture = place_of(*picked_.fixture, drawn_->fixtures, show()->fixtures,
+                                       [](const auto& a, const auto& b) { return a.name == b.name; });
         Q_EMIT picked_came();
     }
     if (auto news = link_.recorded.take()) {
@@ -239,6 +242,7 @@ void AppModel::take_opened(Opened opened) {
     if (opened.is_edit && opened.text != request_.text) return;
     const Opened before = std::exchange(opened_, std::move(opened));
     const bool are_files_others = std::exchange(are_files_others_, false);
+    request_.counted = opened_.show;
     if (opened_.is_edit) {
         go_on_from(before, are_files_others);
         show_edit();
@@ -495,11 +499,13 @@ void AppModel::put_edit(std::shared_ptr<const std::string> text, scene::Show pre
     opened_.show = std::make_shared<const scene::Show>(std::move(preview));
     opened_.is_edit = true;
     put_selection(std::move(selection));
-    request_.text = std::move(text);
     if (is_same)
         fader_.change(look_, look);
     else
         fader_.forget(); // it counts fixtures as they were
+    // At once with the look, which counts them as this text does.
+    request_.text = std::move(text);
+    request_.counted = show();
     look_ = look;
     show_look();
     show_edit();

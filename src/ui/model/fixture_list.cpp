@@ -4,6 +4,7 @@
 #include "show/show.h"
 #include "ui/language/language.h"
 
+#include <algorithm>
 #include <limits>
 
 namespace ghost::ui {
@@ -153,9 +154,21 @@ Qt::ItemFlags FixtureList::flags(const QModelIndex& index) const {
 bool FixtureList::setData(const QModelIndex& index, const QVariant& value, int role) {
     const auto row = static_cast<std::size_t>(index.row());
     const QString words = value.toString().trimmed();
-    if (role != Qt::EditRole || words == data(index, Qt::EditRole).toString()) return false;
+    if (role != Qt::EditRole && role != kTyped) return false;
+    const bool is_same = words == data(index, Qt::EditRole).toString();
+    if (is_same && (role != kTyped || !others_have_else(index))) return false;
     if (!app_.selection().contains(row)) app_.select({row});
     return edit && edit(static_cast<Column>(index.column()), words);
+}
+
+// Names are each one's own.
+bool FixtureList::others_have_else(const QModelIndex& index) const {
+    const std::set<std::size_t>& chosen = app_.selection();
+    if (index.column() == name || !chosen.contains(static_cast<std::size_t>(index.row()))) return false;
+    const QVariant own = data(index, Qt::EditRole);
+    return std::any_of(chosen.begin(), chosen.end(), [&](std::size_t other) {
+        return data(this->index(static_cast<int>(other), index.column()), Qt::EditRole) != own;
+    });
 }
 
 FixtureFilter::FixtureFilter(QObject* parent) : QSortFilterProxyModel(parent) {

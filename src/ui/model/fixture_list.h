@@ -27,7 +27,8 @@ public:
         kIsWrong = Qt::UserRole, // bool
         kIsByHand,               // bool: the programmer has it
         kLight,                  // glm::vec3, the colour of the light, where there is one
-        kOrder                   // double or text: what rows are sorted by
+        kOrder,                  // double or text: what rows are sorted by
+        kTyped                   // to be set: as Qt::EditRole, by a person who typed what stood there already
     };
 
     FixtureList(AppModel& app, QObject* parent);
@@ -43,6 +44,7 @@ public:
 
 private:
     void take_show();
+    bool others_have_else(const QModelIndex& index) const; // of what is selected with it
 
     AppModel& app_;
     int rows_ = 0;

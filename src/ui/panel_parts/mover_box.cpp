@@ -11,6 +11,9 @@
 #include <QLabel>
 #include <QSignalBlocker>
 
+#include <algorithm>
+#include <utility>
+
 namespace ghost::ui {
 namespace {
 
@@ -19,6 +22,14 @@ QString address_of(const scene::Mover& mover) {
     if (mover.axes.empty() || mover.axes.front().levels.empty()) return QString();
     const fixture::Address& first = mover.axes.front().levels.front();
     return address_words(first.universe, first.channel);
+}
+
+bool has_same_rows(const scene::Mover& a, const scene::Mover& b) {
+    const auto is_same = [](const scene::MoverAxis& x, const scene::MoverAxis& y) {
+        return x.name == y.name && x.is_angle == y.is_angle && x.low == y.low && x.high == y.high;
+    };
+    return a.name == b.name &&
+           std::equal(a.axes.begin(), a.axes.end(), b.axes.begin(), b.axes.end(), is_same);
 }
 
 } // namespace
@@ -38,6 +49,17 @@ MoverBox::MoverBox(AppModel& app, QWidget* parent)
 }
 
 void MoverBox::fill() {
+    const std::vector<scene::Mover> before = std::exchange(shown_, app_.show()->movers);
+    // Who drags a slider or types an address goes on.
+    if (app_.opened().is_edit &&
+        std::equal(before.begin(), before.end(), shown_.begin(), shown_.end(), has_same_rows)) {
+        for (std::size_t m = 0; m < shown_.size(); ++m) {
+            auto* const address = heads_[m]->findChild<QLineEdit*>();
+            if (address->text() == address_of(before[m])) address->setText(address_of(shown_[m]));
+        }
+        refresh();
+        return;
+    }
     for (const Row& row : rows_) delete row.row;
     rows_.clear();
     // One of them may have asked for what is shown now.
@@ -46,11 +68,10 @@ void MoverBox::fill() {
         head->deleteLater();
     }
     heads_.clear();
-    const std::vector<scene::Mover>& movers = app_.show()->movers;
-    setVisible(!movers.empty());
-    for (std::size_t m = 0; m < movers.size(); ++m) {
+    setVisible(!shown_.empty());
+    for (std::size_t m = 0; m < shown_.size(); ++m) {
         add_head(m);
-        for (std::size_t a = 0; a < movers[m].axes.size(); ++a) add_row(m, a);
+        for (std::size_t a = 0; a < shown_[m].axes.size(); ++a) add_row(m, a);
     }
     refresh();
 }

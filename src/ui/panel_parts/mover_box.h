@@ -3,6 +3,7 @@
 // MoverBox: the show's movers under the hand: the channel of each, and its axes, one row each, between their
 // end stops; and whether they go as machines do. Hidden where the show has none. Window thread.
 
+#include "show/movers.h"
 #include "ui/model/app_model.h"
 #include "ui/widgets/value_row.h"
 
@@ -39,6 +40,7 @@ private:
     QCheckBox* as_machine_;
     std::vector<QWidget*> heads_; // of each mover: its name and address
     std::vector<Row> rows_;
+    std::vector<scene::Mover> shown_;
 };
 
 } // namespace ghost::ui

@@ -12,6 +12,8 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include <utility>
+
 namespace ghost::ui {
 namespace {
 
@@ -150,17 +152,30 @@ void PaletteBox::fill_menu(QMenu& menu) {
     add(translated("Palettes", "Remove"), [this, name] { run("palette-remove " + name); });
 }
 
+// Items whose names stay, stay, so that who types a name goes on: what an item is told closes or empties the
+// field over it.
 void PaletteBox::fill() {
     const Following following(follows_);
     const QString before = chosen();
-    list_->clear();
-    for (const scene::Palette& palette : palettes_.all()) {
-        if (palette.kind != kind()) continue;
-        auto* item = new QListWidgetItem(swatch_of(palette), QString::fromStdString(palette.name), list_);
+    const std::vector<scene::Palette> shown = std::exchange(shown_, {});
+    for (const scene::Palette& palette : palettes_.all())
+        if (palette.kind == kind()) shown_.push_back(palette);
+    const auto name_at = [&](int row) {
+        return QString::fromStdString(shown_[static_cast<std::size_t>(row)].name);
+    };
+    bool stays = shown.size() == shown_.size() && list_->count() == static_cast<int>(shown_.size());
+    for (int row = 0; stays && row < list_->count(); ++row) stays = list_->item(row)->text() == name_at(row);
+    if (!stays) list_->clear();
+    for (int row = 0; row < static_cast<int>(shown_.size()); ++row) {
+        const auto at = static_cast<std::size_t>(row);
+        auto* const item = stays ? list_->item(row) : new QListWidgetItem(name_at(row), list_);
         item->setData(Qt::UserRole, item->text());
-        item->setFlags(item->flags() | Qt::ItemIsEditable);
-        item->setToolTip(tip_of(palette));
-        if (item->text() == before) list_->setCurrentItem(item);
+        if (!stays) item->setFlags(item->flags() | Qt::ItemIsEditable);
+        if (stays && shown[at].values == shown_[at].values && shown[at].fixtures == shown_[at].fixtures)
+            continue;
+        item->setIcon(swatch_of(shown_[at]));
+        item->setToolTip(tip_of(shown_[at]));
+        if (!stays && item->text() == before) list_->setCurrentItem(item);
     }
 }
 

@@ -11,6 +11,8 @@
 #include <QToolButton>
 #include <QWidget>
 
+#include <vector>
+
 namespace ghost::ui {
 
 class PaletteBox : public QWidget {
@@ -37,7 +39,8 @@ private:
     QButtonGroup* kinds_;
     QToolButton* store_;
     QListWidget* list_;
-    bool follows_ = false; // it is being filled, not edited
+    std::vector<scene::Palette> shown_; // of the kind
+    bool follows_ = false;              // it is being filled, not edited
 };
 
 } // namespace ghost::ui

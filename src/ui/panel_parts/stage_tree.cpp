@@ -7,6 +7,7 @@
 #include <QHeaderView>
 #include <QVBoxLayout>
 
+#include <array>
 #include <map>
 #include <utility>
 
@@ -148,6 +149,14 @@ void StageTree::follow_mark() {
 }
 
 void StageTree::fill() {
+    const Opened& opened = app_.opened();
+    std::vector<std::array<std::string, 3>> rows;
+    for (const Object& one : opened.objects)
+        rows.push_back({one.layer, one.name,
+                        one.material < opened.materials.size() ? opened.materials[one.material].name : ""});
+    // Of an edit it is told twice: what is selected stays selected.
+    const bool stays = rows == std::exchange(rows_, rows) && opened.is_edit;
+    if (stays) return refresh();
     const Following following(follows_);
     // What stood in its row may have another number now.
     const std::optional<std::size_t> chosen = app_.opened().is_edit ? app_.marked() : std::nullopt;

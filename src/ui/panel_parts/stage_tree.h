@@ -11,8 +11,10 @@
 #include <QTreeWidget>
 #include <QWidget>
 
+#include <array>
 #include <optional>
 #include <set>
+#include <string>
 #include <vector>
 
 namespace ghost::ui {
@@ -45,7 +47,8 @@ private:
     AppModel& app_;
     QLineEdit* search_;
     QTreeWidget* tree_;
-    std::set<QString> open_; // groups, before they were made anew
+    std::set<QString> open_;                       // groups, before they were made anew
+    std::vector<std::array<std::string, 3>> rows_; // of each object: layer, name, material
     bool follows_ = false;
 };
 

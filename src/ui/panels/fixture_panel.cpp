@@ -11,6 +11,8 @@
 #include <QComboBox>
 #include <QHBoxLayout>
 #include <QHeaderView>
+#include <QLineEdit>
+#include <QMetaProperty>
 #include <QPainter>
 #include <QStyledItemDelegate>
 #include <QVBoxLayout>
@@ -18,21 +20,51 @@
 namespace ghost::ui {
 namespace {
 
-// Modes are chosen from those that the fixture has.
-class ModeDelegate : public QStyledItemDelegate {
+// What a person types or chooses goes to all that are selected, also where it is what stood there.
+class CellEditor : public QStyledItemDelegate {
 public:
-    ModeDelegate(AppModel& app, QObject* parent) : QStyledItemDelegate(parent), app_(app) {}
+    using QStyledItemDelegate::QStyledItemDelegate;
+    QWidget* createEditor(QWidget* parent, const QStyleOptionViewItem& option,
+                          const QModelIndex& index) const override {
+        return noticed(QStyledItemDelegate::createEditor(parent, option, index));
+    }
+    void setModelData(QWidget* editor, QAbstractItemModel* model, const QModelIndex& index) const override {
+        const QVariant words = editor->property(editor->metaObject()->userProperty().name());
+        if (words.toString() != index.data(Qt::EditRole).toString())
+            QStyledItemDelegate::setModelData(editor, model, index);
+        else if (editor->property(kTouched).toBool())
+            model->setData(index, words, FixtureList::kTyped);
+    }
+
+protected:
+    static QWidget* noticed(QWidget* editor) {
+        const auto touched = [editor] { editor->setProperty(kTouched, true); };
+        if (auto* const field = qobject_cast<QLineEdit*>(editor))
+            connect(field, &QLineEdit::textEdited, field, touched);
+        if (auto* const list = qobject_cast<QComboBox*>(editor))
+            connect(list, &QComboBox::activated, list, touched);
+        return editor;
+    }
+
+private:
+    static constexpr const char* kTouched = "touched";
+};
+
+// Modes are chosen from those that the fixture has.
+class ModeDelegate : public CellEditor {
+public:
+    ModeDelegate(AppModel& app, QObject* parent) : CellEditor(parent), app_(app) {}
     QWidget* createEditor(QWidget* parent, const QStyleOptionViewItem& option,
                           const QModelIndex& index) const override {
         const auto* sorted = qobject_cast<const QSortFilterProxyModel*>(index.model());
         const auto row = static_cast<std::size_t>(sorted->mapToSource(index).row());
         if (!app_.show() || row >= app_.show()->fixtures.size() || !app_.show()->fixtures[row].type)
-            return QStyledItemDelegate::createEditor(parent, option, index);
+            return CellEditor::createEditor(parent, option, index);
         auto* modes = new QComboBox(parent);
         for (const fixture::Mode& mode : app_.show()->fixtures[row].type->modes)
             modes->addItem(QString::fromStdString(mode.name));
         modes->setCurrentText(index.data().toString());
-        return modes;
+        return noticed(modes);
     }
 
 private:
@@ -40,13 +72,13 @@ private:
 };
 
 // What is wrong stays red in a row that is selected; styles give those one colour of their own.
-class CellPainter : public QStyledItemDelegate {
+class CellPainter : public CellEditor {
 public:
-    using QStyledItemDelegate::QStyledItemDelegate;
+    using CellEditor::CellEditor;
 
 protected:
     void initStyleOption(QStyleOptionViewItem* option, const QModelIndex& index) const override {
-        QStyledItemDelegate::initStyleOption(option, index);
+        CellEditor::initStyleOption(option, index);
         const bool is_wrong = index.data(FixtureList::kIsWrong).toBool();
         if (!is_wrong && !index.data(FixtureList::kIsByHand).toBool()) return;
         const QColor colour = is_wrong ? bad() : accent();

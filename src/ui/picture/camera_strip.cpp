@@ -6,6 +6,9 @@
 #include "ui/widgets/following.h"
 
 #include <QPixmap>
+#include <QSignalBlocker>
+
+#include <vector>
 
 namespace ghost::ui {
 namespace {
@@ -94,10 +97,20 @@ void CameraStrip::fill_menu(QMenu& menu) {
     add(translated("Picture", "Remove"), "camera-remove " + which);
 }
 
+// Where it is the same list, who types a name goes on.
 void CameraStrip::list_cameras() {
     const Following following(follows_);
+    const std::vector<scene::Camera>& cameras = app_.show()->cameras;
+    bool stays = app_.opened().is_edit && count() == static_cast<int>(cameras.size());
+    for (int row = 0; stays && row < count(); ++row)
+        stays = item(row)->text() == QString::fromStdString(cameras[static_cast<std::size_t>(row)].name);
+    if (stays) {
+        for (int row = 0; row < count(); ++row) item(row)->setData(Qt::UserRole, item(row)->text());
+        mark_current();
+        return;
+    }
     clear();
-    for (const scene::Camera& camera : app_.show()->cameras) {
+    for (const scene::Camera& camera : cameras) {
         auto* item = new QListWidgetItem(empty_icon(), QString::fromStdString(camera.name), this);
         item->setData(Qt::UserRole, item->text());
         item->setFlags(item->flags() | Qt::ItemIsEditable);
@@ -109,13 +122,16 @@ void CameraStrip::list_cameras() {
 
 void CameraStrip::show_pictures() {
     const Following following(follows_);
+    const QSignalBlocker quiet(model()); // a field that is open over one would have its old name again
     for (const NamedPicture& one : app_.camera_pictures())
         for (QListWidgetItem* const item :
              findItems(QString::fromStdString(one.name), Qt::MatchExactly | Qt::MatchCaseSensitive))
             item->setIcon(icon_of(*one.image));
+    viewport()->update();
 }
 
 void CameraStrip::mark_current() {
+    if (state() == EditingState) return; // it would end there
     const std::optional<std::size_t> camera = app_.stored_camera();
     const int at = camera ? static_cast<int>(*camera) : -1;
     if (at != currentRow()) setCurrentRow(at);

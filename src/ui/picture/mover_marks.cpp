@@ -240,6 +240,24 @@ void paint_ghost(QPainter& painter, const MoverScene& scene, std::size_t mover) 
 
 } // namespace
 
+glm::mat4 moved_now(const MoverScene& scene, int mover) {
+    const auto index = static_cast<std::size_t>(mover);
+    if (mover == scene::kNoMover || index >= scene.opened.show->movers.size()) return glm::mat4(1);
+    return glm::mat4(moved(scene, index, values_of(scene, index, &MoverNow::values), &MoverNow::values));
+}
+
+Object object_now(const MoverScene& scene, std::size_t object) {
+    Object now = scene.opened.objects[object];
+    const glm::mat4 by = moved_now(scene, now.mover);
+    const auto put = [&](glm::vec3& place_m) { place_m = glm::vec3(by * glm::vec4(place_m, 1.0f)); };
+    put(now.centre_m);
+    if (now.bar) {
+        put(now.bar->from_m);
+        put(now.bar->to_m);
+    }
+    return now;
+}
+
 glm::vec3 handle_at_m(const MoverScene& scene, const MoverHandle& handle, float value) {
     return place_m(scene, handle, home_of(scene, handle), value);
 }

@@ -27,6 +27,11 @@ struct MoverHandle {
     bool operator==(const MoverHandle&) const = default;
 };
 
+// From where the model has what a mover carries to where it is now; of scene::kNoMover: none.
+glm::mat4 moved_now(const MoverScene& scene, int mover);
+// An object, of Opened::objects, where it is now.
+Object object_now(const MoverScene& scene, std::size_t object);
+
 // What an axis is dragged by, where it is for that value of the axis; all else as it is now.
 glm::vec3 handle_at_m(const MoverScene& scene, const MoverHandle& handle, float value);
 // The one that the mouse is on.

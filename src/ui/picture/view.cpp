@@ -84,8 +84,12 @@ View::View(AppModel& app, QWidget* parent) : QWidget(parent), app_(app), figures
     connect(&app_, &AppModel::opened_show, this, [this] {
         set_hovered(std::nullopt);
         if (!app_.opened().is_edit && !app_.opened().again) wipe_.end();
-        if (drag_ == Drag::lamp || drag_ == Drag::object || drag_ == Drag::mover) drag_ = Drag::none;
-        mover_.reset();
+        // An edit is heard of twice, the second time when the engine has read it, which may be in the middle
+        // of the next drag.
+        const bool goes_on = app_.opened().is_edit && names_of_dragged() == dragged_;
+        const bool moves = drag_ == Drag::lamp || drag_ == Drag::object || drag_ == Drag::mover;
+        if (moves && !goes_on) drag_ = Drag::none;
+        if (drag_ != Drag::mover) mover_.reset();
     });
     for (const auto signal :
          {&AppModel::selection_changed, &AppModel::marked_changed, &AppModel::activity_came,
@@ -145,7 +149,8 @@ void View::paintEvent(QPaintEvent*) {
     paint_fixtures(painter, heads, *app_.show(), {hovered_, why_hovered()}, overlays);
     if (drag_ == Drag::lamp) paint_moved(painter, heads, moved_by_m_, drag_at_, lamp_->words(moved_by_m_));
     if (const auto object = app_.marked(); object && overlays.marks)
-        paint_object(painter, place, picture.camera, app_.opened().objects[*object],
+        paint_object(painter, place, picture.camera,
+                     object_now({app_.opened(), app_.rig(), place, picture.camera}, *object),
                      drag_ == Drag::object ? moved_by_m_ : glm::vec3(0));
     if (const auto handle = handle_of_object(); handle && drag_ != Drag::object)
         paint_handle(painter, *handle);

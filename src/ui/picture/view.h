@@ -15,6 +15,10 @@
 #include <QSet>
 #include <QWidget>
 
+#include <set>
+#include <string>
+#include <vector>
+
 namespace ghost::ui {
 
 class View : public QWidget {
@@ -72,6 +76,9 @@ private:
     std::optional<std::size_t> lamp_at(const QPointF& place) const;
     Drag drag_of_left(Qt::KeyboardModifiers keys);
     void drag_lamp(bool upright);
+    glm::vec3 dragged_by_m() const; // where the model has it
+    // What a drag of the left button moves: lamps, an object, an axis of a mover.
+    std::vector<std::string> names_of_dragged() const;
     // Of the chosen object; nothing: none is, or it is not in sight.
     std::optional<QPointF> handle_of_object() const;
     bool is_on_handle(const QPointF& place) const;
@@ -91,18 +98,21 @@ private:
     double asked_ratio_ = 0; // pixels of the display to one of the window, when the size was asked for
     Drag drag_ = Drag::none;
     QPointF drag_from_, drag_at_;
+    std::vector<std::string> dragged_; // when it began
     Wipe wipe_;
     std::optional<LampDrag> lamp_; // that is dragged
     glm::vec3 moved_by_m_{0};
+    glm::mat3 dragged_turn_{1};          // of what it is that a mover carries
     std::optional<MoverHandle> mover_;   // whose handle has the mouse
     float mover_value_ = 0;              // that it was dragged to
     std::optional<std::size_t> hovered_; // fixture
     QTimer hover_timer_;                 // until the mouse rests on it
     std::uint64_t picked_ = 0;           // number of the pick that a click waits for; 0: none
     bool adds_picked_ = false;
-    std::vector<std::size_t> let_go_; // fixtures that the last click beside them let go of
-    bool chooses_picked_ = false;     // an object that was met there
-    QSet<int> held_;                  // keys that fly
+    std::set<std::size_t> selected_then_; // when it was asked for
+    std::vector<std::size_t> let_go_;     // fixtures that the last click beside them let go of
+    bool chooses_picked_ = false;         // an object that was met there
+    QSet<int> held_;                      // keys that fly
     QTimer fly_timer_;
     QElapsedTimer fly_clock_;
 

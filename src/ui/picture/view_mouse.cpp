@@ -59,16 +59,24 @@ View::Drag View::drag_of_left(Qt::KeyboardModifiers keys) {
         mover_value_ = mover_goals(app_, mover_->mover)[mover_->axis];
         return Drag::mover;
     }
+    const QRectF picture = rect_of_picture();
+    const scene::Camera camera = camera_of_picture();
+    const MoverScene now{app_.opened(), app_.rig(), picture, camera};
     if (is_on_handle(drag_from_)) {
-        lamp_ = LampDrag(app_.opened().objects[*app_.marked()].centre_m, {});
+        const Object object = object_now(now, *app_.marked());
+        lamp_ = LampDrag(object.centre_m, {});
         moved_by_m_ = glm::vec3(0);
+        dragged_turn_ = glm::mat3(moved_now(now, object.mover));
         return Drag::object;
     }
     const auto hit = lamp_at(drag_from_);
     if (hit && on_move && app_.selection().contains(*hit)) {
+        std::vector<Object> objects;
+        for (std::size_t i = 0; i < app_.opened().objects.size(); ++i) objects.push_back(object_now(now, i));
         const auto drag_of = [&](std::size_t index) {
-            return LampDrag(app_.rig().fixtures[index].light_m, app_.opened().objects);
+            return LampDrag(app_.rig().fixtures[index].light_m, objects);
         };
+        dragged_turn_ = glm::mat3(moved_now(now, app_.show()->fixtures[*hit].mover));
         lamp_ = drag_of(*hit);
         for (const std::size_t index : app_.selection())
             if (index < app_.rig().fixtures.size()) lamp_->take_along(drag_of(index));
@@ -78,10 +86,26 @@ View::Drag View::drag_of_left(Qt::KeyboardModifiers keys) {
     return keys & Qt::ShiftModifier ? Drag::pan : Drag::orbit;
 }
 
+std::vector<std::string> View::names_of_dragged() const {
+    std::vector<std::string> names;
+    if (drag_ == Drag::lamp)
+        for (const std::size_t index : app_.selection()) names.push_back(app_.show()->fixtures[index].name);
+    if (const auto object = app_.marked(); drag_ == Drag::object && object)
+        names.push_back(app_.opened().objects[*object].name);
+    if (drag_ == Drag::mover && mover_ && mover_->mover < app_.show()->movers.size()) {
+        const scene::Mover& mover = app_.show()->movers[mover_->mover];
+        names.push_back(mover.name);
+        if (mover_->axis < mover.axes.size()) names.push_back(mover.axes[mover_->axis].name);
+    }
+    return names;
+}
+
 void View::mouseMoveEvent(QMouseEvent* event) {
     const QPointF moved = event->position() - drag_at_;
-    if (drag_ == Drag::undecided && QLineF(drag_from_, event->position()).length() > kClick_px)
+    if (drag_ == Drag::undecided && QLineF(drag_from_, event->position()).length() > kClick_px) {
         drag_ = drag_of_left(event->modifiers());
+        dragged_ = names_of_dragged();
+    }
     if (drag_ != Drag::none) set_hovered(std::nullopt);
     if (drag_ == Drag::none) {
         if (overlays.probe) probe_at(event->position());
@@ -118,10 +142,18 @@ void View::drag_lamp(bool upright) {
                   lamp_->by_m(eye_m, way_of_mouse(drag_from_), upright);
 }
 
+glm::vec3 View::dragged_by_m() const {
+    if (dragged_turn_ == glm::mat3(1)) return moved_by_m_;
+    return glm::round(glm::transpose(dragged_turn_) * moved_by_m_ * 1000.0f) / 1000.0f;
+}
+
 std::optional<QPointF> View::handle_of_object() const {
     const auto object = app_.marked();
     if (!object || !on_move_object || !overlays.marks) return std::nullopt;
-    return to_widget(rect_of_picture(), camera_of_picture(), app_.opened().objects[*object].centre_m);
+    const QRectF picture = rect_of_picture();
+    const scene::Camera camera = camera_of_picture();
+    return to_widget(picture, camera,
+                     object_now({app_.opened(), app_.rig(), picture, camera}, *object).centre_m);
 }
 
 bool View::is_on_handle(const QPointF& place) const {
@@ -227,6 +259,7 @@ void View::click(const QPointF& place, Qt::KeyboardModifiers keys) {
     if (!adds) app_.select({});
     adds_picked_ = adds;
     chooses_picked_ = false;
+    selected_then_ = app_.selection();
     picked_ = app_.pick(camera_of_picture().position_m, way_of_mouse(place));
 }
 
@@ -246,6 +279,7 @@ void View::select_picked() {
     }
     if (!picked.fixture) return;
     picked_ = 0;
+    if (app_.selection() != selected_then_) return; // who selects something meanwhile means that
     if (*picked.fixture < app_.show()->fixtures.size()) select_one(*picked.fixture, adds_picked_);
 }
 
@@ -254,11 +288,11 @@ void View::mouseReleaseEvent(QMouseEvent* event) {
     if (drag == Drag::undecided) {
         click(event->position(), event->modifiers());
     } else if (drag == Drag::lamp) {
-        if (moved_by_m_ != glm::vec3(0)) on_move(moved_by_m_);
+        if (moved_by_m_ != glm::vec3(0)) on_move(dragged_by_m());
         update();
     } else if (drag == Drag::object) {
         if (const auto object = app_.marked(); object && moved_by_m_ != glm::vec3(0))
-            on_move_object(*object, moved_by_m_);
+            on_move_object(*object, dragged_by_m());
         update();
     } else if (drag == Drag::mover) {
         update();
@@ -285,6 +319,7 @@ void View::mouseDoubleClickEvent(QMouseEvent* event) {
     // Its first click was no wish to let go of the heads that shall hang at what is chosen.
     if (app_.selection().empty()) app_.select_in_order(std::exchange(let_go_, {}));
     chooses_picked_ = true;
+    selected_then_ = app_.selection();
     const glm::vec3 way = way_of_mouse(event->position());
     const glm::vec3 beside = way_of_mouse(event->position() + QPointF(kBeside_px, 0));
     picked_ = app_.pick(camera_of_picture().position_m, way, glm::length(glm::cross(way, beside)));

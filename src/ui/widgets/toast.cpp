@@ -56,6 +56,7 @@ void Toast::say(const QString& what, std::function<void()> undo, std::function<v
     on_words_ = nullptr;
     field_->hide();
     undo_->setVisible(static_cast<bool>(undo));
+    undo_->setEnabled(true);
     name_->setVisible(static_cast<bool>(name));
     stays_ms_ = name ? kStaysWithName_ms : kStays_ms;
     on_undo_ = std::move(undo);

@@ -21,6 +21,8 @@ public:
     explicit Toast(QWidget* over);
     // undo, name (of what was made: "Name..."): none: no button. The newest one stays.
     void say(const QString& what, std::function<void()> undo = {}, std::function<void()> name = {});
+    // Whether the way back is that of what was said; else its button is grey.
+    void allow_undo(bool allowed) { undo_->setEnabled(allowed); }
     // A line to write in, value in it: Enter takes it, Esc or going elsewhere leaves all as it is. done:
     // empty, or why not, which is said there, and it asks on.
     void ask(const QString& what, const QString& value, std::function<QString(const QString&)> done);

@@ -95,8 +95,15 @@ NoticeBar::NoticeBar(Actions& actions, ShowDocument& document, AppModel& app, QW
     connect(&app_, &AppModel::request_changed, this, [this] {
         if (app_.is_opening() && std::exchange(says_not_opened_, false)) put_away();
     });
+    connect(&app_.undo_stack(), &QUndoStack::indexChanged, this, [this](int index) {
+        if (index < edit_) edit_ = -1; // what comes there now is another one
+        mark_undo();
+    });
     connect(&app_, &AppModel::opened_show, this, [this] {
-        if (app_.opened().is_edit) return;
+        if (app_.opened().is_edit) {
+            if (app_.is_taking_edit()) note_edit();
+            return;
+        }
         if (std::exchange(says_not_opened_, false) && !document_.waits_for_answer()) hide();
         errors_.clear();
         awaits_messages_ = true;
@@ -176,6 +183,23 @@ void NoticeBar::say_not_opened() {
     says_not_opened_ = true;
 }
 
+// Its step is in the list only when this is over, and not at all where one was undone.
+void NoticeBar::note_edit() {
+    QMetaObject::invokeMethod(
+        this,
+        [this, before = app_.undo_stack().index()] {
+            const int now = app_.undo_stack().index();
+            edit_ = now < before ? -1 : now;
+            mark_undo();
+        },
+        Qt::QueuedConnection);
+}
+
+// What is said of an edit may come a minute later, and other things were done by then.
+void NoticeBar::mark_undo() {
+    if (undo_) undo_->setEnabled(app_.undo_stack().index() == edit_);
+}
+
 void NoticeBar::look_at_messages() {
     std::set<std::string> errors;
     QStringList anew, ignored;
@@ -208,6 +232,7 @@ void NoticeBar::look_at_messages() {
 
 void NoticeBar::ask(const QString& words, const std::vector<Answer>& answers, Kind kind) {
     clear();
+    undo_ = nullptr;
     words_ = words;
     says_not_opened_ = says_unseen_ = says_refused_ = false;
     setStyleSheet(kind == Kind::fault ? "QToolBar { background: #6e2119; }" : "");
@@ -216,8 +241,10 @@ void NoticeBar::ask(const QString& words, const std::vector<Answer>& answers, Ki
     label->setWordWrap(true);
     label->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
     addWidget(label);
-    for (const Answer& answer : answers)
-        connect(addAction(answer.button), &QAction::triggered, this, [this, answer] {
+    for (const Answer& answer : answers) {
+        QAction* const button = addAction(answer.button);
+        if (answer.line == "undo") undo_ = button;
+        connect(button, &QAction::triggered, this, [this, answer] {
             if (answer.puts_away) {
                 closed_unseen_ = closed_unseen_ || says_unseen_;
                 says_not_opened_ = false;
@@ -225,6 +252,8 @@ void NoticeBar::ask(const QString& words, const std::vector<Answer>& answers, Ki
             }
             if (!answer.line.isEmpty()) actions_.choose(answer.line);
         });
+    }
+    mark_undo();
     show();
     place();
     raise();

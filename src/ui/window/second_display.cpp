@@ -4,10 +4,12 @@
 #include "ui/language/language.h"
 #include "ui/picture/overlays.h"
 
+#include <QAction>
 #include <QCloseEvent>
 #include <QGuiApplication>
 #include <QKeyEvent>
 #include <QPainter>
+#include <QWindow>
 
 #include <cmath>
 
@@ -29,7 +31,24 @@ QString names_of_screens() {
 
 } // namespace
 
-PictureWindow::PictureWindow(AppModel& app) : app_(app) {
+bool press_shortcut(const QWidget& window, const QKeyEvent& key) {
+    const Qt::KeyboardModifiers held = key.modifiers() & ~Qt::KeypadModifier;
+    QList<QKeySequence> keys{QKeySequence(QKeyCombination(held, Qt::Key(key.key())))};
+    // "?" is called so whatever has to be held for it.
+    if (!key.text().isEmpty() && key.text()[0].isPrint() && !key.text()[0].isLetter())
+        keys.append(QKeySequence(QKeyCombination(held & ~Qt::ShiftModifier, Qt::Key(key.key()))));
+    for (const QKeySequence& one : keys)
+        for (QAction* const action : window.actions())
+            if (action->isEnabled() && action->shortcuts().contains(one)) {
+                // Not at once: it may close the window that has the key.
+                QMetaObject::invokeMethod(action, &QAction::trigger, Qt::QueuedConnection);
+                return true;
+            }
+    return false;
+}
+
+PictureWindow::PictureWindow(AppModel& app, const std::function<bool(const QKeyEvent&)>& keys)
+    : app_(app), keys_(keys) {
     setAttribute(Qt::WA_OpaquePaintEvent);
     setWindowTitle(translated("Notice", "Ghostlight, the picture"));
     setMinimumSize(16, 16);
@@ -59,9 +78,11 @@ void PictureWindow::resizeEvent(QResizeEvent*) {
 }
 
 void PictureWindow::keyPressEvent(QKeyEvent* event) {
-    if (event->key() == Qt::Key_Escape)
+    // Esc takes one thing after the other, as in the main window.
+    const bool lets_go = app_.marked() || !app_.selection().empty();
+    if (event->key() == Qt::Key_Escape && !lets_go)
         close();
-    else
+    else if (!keys_ || !keys_(*event))
         QWidget::keyPressEvent(event);
 }
 
@@ -113,11 +134,14 @@ void SecondDisplay::close() {
 
 void SecondDisplay::show_on(QScreen* screen) {
     if (!window_) {
-        window_ = std::make_unique<PictureWindow>(app_);
+        window_ = std::make_unique<PictureWindow>(app_, on_key);
         // Not at once: it is in the middle of its own event.
         connect(window_.get(), &PictureWindow::closed, this, &SecondDisplay::close, Qt::QueuedConnection);
     }
     screen_ = screen;
+    // Keys stay with who works; on the same display it would come behind that window.
+    const QWindow* const front = QGuiApplication::focusWindow();
+    window_->setAttribute(Qt::WA_ShowWithoutActivating, screen && front && front->screen() != screen);
     if (screen) {
         window_->setCursor(Qt::BlankCursor);
         window_->setWindowFlag(Qt::FramelessWindowHint);

@@ -7,19 +7,25 @@
 #include "base/result.h"
 #include "ui/model/app_model.h"
 
+#include <QKeyEvent>
 #include <QPointer>
 #include <QScreen>
 #include <QString>
 #include <QWidget>
 
+#include <functional>
 #include <memory>
 
 namespace ghost::ui {
 
+// Does what that key does in another window. False: nothing there has it.
+bool press_shortcut(const QWidget& window, const QKeyEvent& key);
+
 class PictureWindow : public QWidget {
     Q_OBJECT
 public:
-    explicit PictureWindow(AppModel& app);
+    // keys: of whoever works; it may have the focus although nobody wants it there.
+    PictureWindow(AppModel& app, const std::function<bool(const QKeyEvent&)>& keys);
 
 Q_SIGNALS:
     void closed(); // by a person
@@ -32,6 +38,7 @@ protected:
 
 private:
     AppModel& app_;
+    const std::function<bool(const QKeyEvent&)>& keys_;
     QTimer resize_timer_;
     double asked_ratio_ = 0; // as in View
 };
@@ -41,6 +48,8 @@ class SecondDisplay : public QObject {
 public:
     explicit SecondDisplay(AppModel& app);
 
+    // What keys do that are pressed in it; false: nothing.
+    std::function<bool(const QKeyEvent&)> on_key;
     // "2", a display's name, "window"; empty: the first display that the main window is not on.
     Result<void> open(const QString& which, const QScreen* main);
     void close();

@@ -146,7 +146,7 @@ Window::Window(Link& link, const WindowOptions& options)
     };
     add_object_actions(actions_, app_, document_);
     auto* hiding = new Hiding(app_, actions_, this);
-    hiding->on_done = [this](const QString& what) { toast_->say(what, [this] { actions_.choose("undo"); }); };
+    hiding->on_done = [this](const QString& what) { say_step(what); };
     add_hide_action(actions_, *hiding);
     add_air_actions(actions_, app_, document_);
     add_bounce_actions(actions_, app_, document_);
@@ -156,7 +156,7 @@ Window::Window(Link& link, const WindowOptions& options)
     add_plot_actions(actions_, app_, document_, plot_report_);
     add_rdm_action(actions_, *rdm_);
     rdm_->complain = edit_refused;
-    rdm_->on_done = [this](const QString& what) { toast_->say(what, [this] { actions_.choose("undo"); }); };
+    rdm_->on_done = [this](const QString& what) { say_step(what); };
     rdm_->set_access(options_.rdm);
     connect(&plot_report_, &PlotReport::changed, this, &Window::show_plot_page);
     new FocusGuide(view_);
@@ -170,13 +170,20 @@ Window::Window(Link& link, const WindowOptions& options)
     context_menus->serve(cue_table_->table(), [this](QMenu& menu) { cue_table_->fill_menu(menu); });
     PaletteBox& palettes = programmer_->palettes();
     context_menus->serve(palettes.list(), [&palettes](QMenu& menu) { palettes.fill_menu(menu); });
-    connect(&app_.undo_stack(), &QUndoStack::indexChanged, this, [this] { ++steps_; });
+    connect(&app_.undo_stack(), &QUndoStack::indexChanged, this, [this](int index) {
+        ++steps_;
+        if (index < step_said_) step_said_ = -1; // what comes there now is another one
+        toast_->allow_undo(index == step_said_);
+        say_hand_taken();
+    });
     actions_.count_steps = [this] { return steps_; };
     actions_.on_done = [this](const Action& action, bool made_step) {
         if (notice_) notice_->forget_refused();
         say_done(action, made_step);
     };
-    connect(&app_, &AppModel::look_changed, this, &Window::say_hand_taken);
+    // Also where another show has none; what hands take is said once its step is in the undo list.
+    connect(&app_, &AppModel::look_changed, this,
+            [this] { had_hand_ = had_hand_ && !app_.look().fixtures.empty(); });
     transport_ = new QToolBar(translated("Panel", "Transport"), this);
     transport_->setObjectName("transport");
     transport_->setMovable(false);
@@ -235,6 +242,7 @@ Window::Window(Link& link, const WindowOptions& options)
             20000);
         actions_.refresh();
     });
+    second_.on_key = [this](const QKeyEvent& key) { return press_shortcut(*this, key); };
     connect(&second_, &SecondDisplay::changed, this, [this](const QString& what) {
         if (!what.isEmpty()) say(what, 15000);
         actions_.refresh();

@@ -28,6 +28,8 @@
 #include <QMainWindow>
 #include <QToolBar>
 
+#include <functional>
+
 namespace ghost::ui {
 
 class CuePanel;
@@ -69,6 +71,8 @@ private:
     void begin_where_show_says();
     void say_done(const Action& action, bool made_step);
     void say_hand_taken();
+    // That the last step was done, with its way back as long as it is the last one.
+    void say_step(const QString& what, std::function<void()> name = {});
     // Over the picture, too, where it was an edit; helps: an action that lets it be done.
     void say_refused(const Error& error, bool is_of_edit, const QString& helps = {});
     void show_title();
@@ -106,6 +110,7 @@ private:
     Toast* toast_;
     bool plot_is_new_ = false; // its page was not looked at yet
     QString language_;         // for the next start; empty: the desktop's
+    int step_said_ = -1;       // place in the undo list of what the toast offers to undo; -1: none
     bool had_hand_ = false;    // something was set by hand when it was last looked at
     FixturePanel* fixtures_ = nullptr;
     ProgrammerPanel* programmer_ = nullptr;

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <set>
+#include <utility>
 
 namespace ghost::ui {
 namespace {
@@ -70,13 +71,17 @@ void Window::say_done(const Action& action, bool made_step) {
         toast_->say(translated("Notice", "Saved: %1")
                         .arg(QString::fromStdString(app_.show()->file.filename().string())));
     else if (made_step && action.name == "keep-camera")
-        toast_->say(
-            app_.undo_stack().undoText(), [this] { actions_.choose("undo"); },
-            [this, number = app_.show()->cameras.size()] {
-                actions_.choose(QString("camera-rename %1").arg(number));
-            });
+        say_step(app_.undo_stack().undoText(), [this, number = app_.show()->cameras.size()] {
+            actions_.choose(QString("camera-rename %1").arg(number));
+        });
     else if (made_step && kSays.contains(action.name))
-        toast_->say(app_.undo_stack().undoText(), [this] { actions_.choose("undo"); });
+        say_step(app_.undo_stack().undoText());
+}
+
+void Window::say_step(const QString& what, std::function<void()> name) {
+    step_said_ = app_.undo_stack().index();
+    toast_->say(
+        what, [this] { actions_.choose("undo"); }, std::move(name));
 }
 
 void Window::say_hand_taken() {
@@ -91,9 +96,8 @@ void Window::say_hand_taken() {
         QString words = words_of(app_.look());
         if (dark > 0)
             words = translated("Notice", "%1, of which %2 have no optics and stay dark").arg(words).arg(dark);
-        toast_->say(
-            translated("Notice", "By hand now: %1. R gives back what is selected, Shift+R all").arg(words),
-            [this] { actions_.choose("undo"); });
+        say_step(
+            translated("Notice", "By hand now: %1. R gives back what is selected, Shift+R all").arg(words));
     }
     had_hand_ = has_hand;
 }

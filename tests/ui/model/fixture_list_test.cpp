@@ -128,6 +128,28 @@ TEST(FixtureList, what_is_typed_goes_to_the_selected_or_else_to_its_row) {
         << "the same words are no edit";
 }
 
+TEST(FixtureList, what_is_typed_although_it_stood_there_goes_to_those_that_have_something_else) {
+    Listed listed(four_lamps()); // X is -3, -1, 1, 3
+    QStringList edits;
+    listed.list.edit = [&](FixtureList::Column, const QString& words) {
+        edits << words;
+        return true;
+    };
+    const auto type = [&](int row, int column, const char* words) {
+        listed.list.setData(listed.list.index(row, column), QString(words), FixtureList::kTyped);
+    };
+    type(0, FixtureList::x, "-3");
+    EXPECT_TRUE(edits.isEmpty()) << "alone it is no edit";
+    listed.app.select({0, 2});
+    type(0, FixtureList::x, "-3");
+    EXPECT_EQ(edits, QStringList{"-3"});
+    type(0, FixtureList::z, "4");
+    type(0, FixtureList::name, "Lamp 1");
+    type(3, FixtureList::x, "3");
+    EXPECT_EQ(edits.size(), 1) << "all have it, it is a name, or the row is not one of them";
+    EXPECT_EQ(listed.app.selection(), (std::set<std::size_t>{0, 2}));
+}
+
 // After an edit the show is read again, which takes as long as the machine is busy.
 TEST(FixtureList, a_file_that_is_not_read_yet_is_not_one_that_cannot_be_read) {
     Listed listed(four_lamps()); // without types

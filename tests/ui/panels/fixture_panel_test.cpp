@@ -9,6 +9,7 @@
 #include <QKeyEvent>
 #include <QLineEdit>
 #include <QMouseEvent>
+#include <QPointer>
 #include <QTableView>
 
 namespace ghost::ui {
@@ -178,6 +179,38 @@ TEST(FixturePanel, a_double_click_edits_all_that_were_selected) {
     settle();
     for (const scene::PatchedFixture& fixture : desk.app.show()->fixtures)
         EXPECT_EQ(fixture.universe, 4) << fixture.name;
+}
+
+// What stood there is a value as well, once somebody has typed it.
+TEST(FixturePanel, the_value_of_the_first_is_typed_for_all_and_a_cell_that_is_left_changes_nothing) {
+    Desk desk;
+    FixturePanel panel(desk.app, desk.document, nullptr);
+    desk.open();
+    panel.resize(600, 300);
+    panel.show();
+    settle();
+    auto* table = panel.findChild<QTableView*>();
+    const auto enter = [&](int column, const QString& keys) {
+        desk.app.select({0, 1, 2});
+        table->edit(table->model()->index(0, column));
+        const QPointer<QLineEdit> field = table->findChild<QLineEdit*>();
+        ASSERT_TRUE(field);
+        field->selectAll();
+        for (const QChar letter : keys) {
+            QKeyEvent typed(QEvent::KeyPress, 0, Qt::NoModifier, QString(letter));
+            QCoreApplication::sendEvent(field, &typed);
+        }
+        QKeyEvent end(QEvent::KeyPress, Qt::Key_Return, Qt::NoModifier);
+        QCoreApplication::sendEvent(field, &end);
+        settle();
+        delete field; // the next one is another
+    };
+    enter(FixtureList::x, "");
+    EXPECT_EQ(desk.document.text(), kShow);
+    enter(FixtureList::x, "-3");
+    for (const scene::PatchedFixture& fixture : desk.app.show()->fixtures)
+        EXPECT_EQ(fixture.position_m.x, -3) << fixture.name;
+    EXPECT_EQ(desk.app.undo_stack().count(), 1);
 }
 
 // The mark of a chosen row covers all but the colour of the light.

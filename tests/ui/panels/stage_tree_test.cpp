@@ -101,6 +101,25 @@ TEST(StageTree, an_edit_of_the_patch_hides_nothing) {
     EXPECT_TRUE(hall.by_hand().empty());
 }
 
+TEST(StageTree, several_that_are_selected_stay_so_while_an_edit_is_read) {
+    Hall hall;
+    hall.tree->setCurrentItem(hall.item("chair 1"));
+    hall.item("table")->setSelected(true);
+    hall.item("floor")->setSelected(true);
+    Opened opened = hall.app.opened();
+    opened.is_edit = true;
+    hall.link.opened.put(opened);
+    hall.link.on_news();
+    settle();
+    EXPECT_EQ(hall.tree->selectedItems().size(), 3);
+    opened.objects.back().name = "desk";
+    hall.link.opened.put(opened);
+    hall.link.on_news();
+    settle();
+    EXPECT_EQ(hall.item("table"), nullptr);
+    EXPECT_NE(hall.item("desk"), nullptr) << "another stage is listed";
+}
+
 TEST(StageTree, a_show_with_fewer_objects_takes_the_place_of_one_with_more) {
     Hall hall;
     hall.tree->setCurrentItem(hall.item("table"));

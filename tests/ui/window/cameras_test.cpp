@@ -12,6 +12,7 @@
 #include <QLineEdit>
 #include <QListWidget>
 #include <QMenu>
+#include <QPointer>
 #include <QStatusBar>
 #include <QToolBar>
 #include <QToolButton>
@@ -201,6 +202,32 @@ TEST(Camera, the_strip_renames_and_removes) {
         if (one->text() == "Remove") one->trigger();
     EXPECT_EQ(in.names(), (Names{"front"}));
     menu->close();
+}
+
+TEST(Camera, who_types_its_name_in_the_strip_goes_on_while_an_edit_is_read) {
+    Cameras in;
+    ASSERT_EQ(in.error_of("camera-strip on"), "");
+    settle();
+    QListWidget& strip = in.strip();
+    strip.setCurrentRow(1);
+    strip.editItem(strip.item(1));
+    const QPointer<QLineEdit> field = strip.findChild<QLineEdit*>();
+    ASSERT_TRUE(field && field->isVisible());
+    field->setText("Wing");
+    Opened opened = in.window.app().opened();
+    opened.is_edit = true;
+    in.link.opened.put(std::move(opened));
+    in.link.on_news();
+    settle();
+    ASSERT_EQ(in.error_of("fly 1 0 0"), ""); // the picture stands at none of them
+    auto image = std::make_shared<image::Image8>(16, 9, 4);
+    in.link.camera_pictures.put({{"front", image}, {"side", image}});
+    in.link.on_news();
+    settle();
+    ASSERT_TRUE(field && field->isVisible());
+    EXPECT_EQ(field->text(), "Wing");
+    press(*field, Qt::Key_Return);
+    EXPECT_EQ(in.names(), (Names{"front", "Wing"}));
 }
 
 } // namespace

@@ -11,6 +11,7 @@
 #include "ui/panel_parts/mover_box.h"
 
 #include <QLineEdit>
+#include <QPointer>
 
 namespace ghost::ui {
 namespace {
@@ -75,6 +76,33 @@ TEST(Movers, a_truss_flies_on_two_hoists_with_what_hangs_under_it) {
     EXPECT_EQ(desk.document.text(), kShow);
 }
 
+TEST(Movers, what_is_hung_copied_or_dropped_under_a_truss_that_flies_goes_with_it) {
+    TrussDesk desk;
+    ASSERT_TRUE(desk.actions.run("fly-on-hoists \"front 1\"").ok());
+    const auto carried = [&] { return desk.app.show()->movers.at(0).fixtures; };
+    using Names = std::vector<std::string>;
+    ASSERT_EQ(carried(), (Names{"Lamp 1", "Lamp 3"}));
+    const std::string flies = desk.document.text();
+    desk.app.select({1});
+    ASSERT_TRUE(desk.actions.run("hang \"front 2\"").ok());
+    EXPECT_EQ(carried(), (Names{"Lamp 1", "Lamp 3", "Lamp 2"}));
+    desk.app.select({0});
+    ASSERT_TRUE(desk.actions.run("hang back").ok());
+    EXPECT_EQ(carried(), (Names{"Lamp 3", "Lamp 2"})) << "it hangs elsewhere now";
+    ASSERT_TRUE(desk.edit.duplicate({1, 0, 0}).ok());
+    EXPECT_EQ(carried(), (Names{"Lamp 3", "Lamp 2"})) << "a copy of one that does not fly";
+    desk.app.select({2}); // Lamp 2
+    ASSERT_TRUE(desk.edit.duplicate({1, 0, 0}).ok());
+    EXPECT_EQ(carried(), (Names{"Lamp 3", "Lamp 2", "Lamp 5"}));
+    const fs::path file = fs::path(GHOST_SOURCE_DIR) / "assets/fixtures/Vari-Lite@VL2500_Spot.gdtf";
+    ASSERT_TRUE(desk.edit.add(file, {-4, 0, 4.2f}).ok());
+    EXPECT_EQ(carried().size(), 4u);
+    ASSERT_TRUE(desk.edit.add(file, {-4, 4, 4.2f}).ok());
+    EXPECT_EQ(carried().size(), 4u) << "one in the air";
+    for (int step = 0; step < 6; ++step) desk.app.undo_stack().undo();
+    EXPECT_EQ(desk.document.text(), flies);
+}
+
 TEST(Movers, the_address_is_set_by_name_and_in_the_panel) {
     TrussDesk desk;
     ASSERT_EQ(desk.complaint("fly-on-hoists \"front 1\""), "");
@@ -97,6 +125,27 @@ TEST(Movers, the_address_is_set_by_name_and_in_the_panel) {
               std::string::npos);
     EXPECT_NE(desk.complaint("mover-address \"front 1\" 1.1 12").find("none of 8, 16 and 24"),
               std::string::npos);
+}
+
+// Each edit is heard of twice: at once, and when the engine has read it.
+TEST(Movers, who_types_an_address_or_drags_a_slider_goes_on_while_an_edit_is_read) {
+    TrussDesk desk;
+    MoverBox box(desk.app, nullptr);
+    ASSERT_EQ(desk.complaint("fly-on-hoists \"front 1\""), "");
+    const QPointer<QLineEdit> address = box.findChild<QLineEdit*>();
+    const QPointer<ValueRow> row = box.findChild<ValueRow*>();
+    ASSERT_TRUE(address && row);
+    address->setText("2.10");
+    desk.app.select({0});
+    ASSERT_TRUE(desk.edit.set_address({3, 1}).ok());
+    desk.follow();
+    settle();
+    ASSERT_TRUE(address && row) << "they are the same";
+    EXPECT_FALSE(address->isHidden());
+    EXPECT_EQ(address->text(), "2.10");
+    address->setText("1.49");
+    EXPECT_EQ(desk.complaint("mover-address \"front 1\" 2.201"), "");
+    EXPECT_EQ(address->text(), "2.201") << "what nobody types follows";
 }
 
 TEST(Movers, what_is_no_truss_or_flies_already_stays) {
@@ -221,6 +270,29 @@ TEST(Movers, a_camera_on_one_goes_on_from_where_it_is_carried_to) {
     EXPECT_NEAR(app.camera().position_m.z, carried.position_m.z, 0.1f) << "so does a flight";
 }
 
+TEST(Movers, a_drag_goes_on_while_an_edit_is_read) {
+    Flying stage;
+    const QPointF from = stage.at({-2, 0, 4}), to = stage.at({-2, 0, 3});
+    stage.mouse(QEvent::MouseButtonPress, from, Qt::LeftButton);
+    stage.mouse(QEvent::MouseMove, (from + to) / 2, Qt::LeftButton);
+    Opened opened = stage.bench.app.opened();
+    opened.is_edit = true;
+    stage.bench.link.opened.put(opened);
+    stage.bench.link.on_news();
+    settle();
+    stage.mouse(QEvent::MouseMove, to, Qt::LeftButton);
+    EXPECT_NEAR(stage.by_hand().at(0), -1, 0.06f);
+    auto show = std::make_shared<scene::Show>(*opened.show);
+    show->movers[0].name = "Another";
+    opened.show = show;
+    stage.bench.link.opened.put(opened);
+    stage.bench.link.on_news();
+    settle();
+    stage.mouse(QEvent::MouseMove, from, Qt::LeftButton);
+    EXPECT_NEAR(stage.by_hand().at(0), -1, 0.06f) << "it has hold of nothing any more";
+    stage.mouse(QEvent::MouseButtonRelease, from, Qt::LeftButton);
+}
+
 TEST(Movers, a_ghost_is_where_the_truss_goes_until_it_is_there) {
     Flying stage;
     stage.view.overlays.movers = false;
@@ -233,6 +305,56 @@ TEST(Movers, a_ghost_is_where_the_truss_goes_until_it_is_there) {
     EXPECT_GT(goes, rests + 100);
     stage.is_at({-2, -2}, {-2, -2});
     EXPECT_LT(stage.marked(), rests + 80) << "it is there";
+}
+
+// Its ring, its cross, and what its lamps go along are where it is seen.
+TEST(Movers, what_flies_is_dragged_where_it_is) {
+    Flying stage;
+    stage.view.overlays.movers = false; // no handle near
+    Opened opened = stage.bench.app.opened();
+    opened.is_edit = true;
+    opened.objects[0].bar = scene::Bar{{-3, 0, 4.2f}, {3, 0, 4.2f}, 0.4f, 0.4f};
+    stage.bench.link.opened.put(std::move(opened));
+    RigNow rig = four_lit();
+    for (FixtureNow& lamp : rig.fixtures) lamp.light_m.z -= 2;
+    rig.movers = {{{-2, -2}, {-2, -2}, {0, 0}}};
+    stage.bench.link.rig.put(std::move(rig));
+    stage.bench.link.on_news();
+    settle();
+    std::optional<std::size_t> moved;
+    stage.view.on_move_object = [&](std::size_t object, const glm::vec3&) { moved = object; };
+    glm::vec3 by_m(0);
+    stage.view.on_move = [&](const glm::vec3& so_far_m) { by_m = so_far_m; };
+    stage.bench.app.select({1});
+    stage.drag(stage.at({-1, 0, 2}), stage.at({-1, 0, 2}) + QPointF(20, -12), Qt::LeftButton);
+    EXPECT_GT(by_m.x, 0.2f);
+    EXPECT_EQ(by_m.y, 0) << "along its truss";
+    EXPECT_EQ(by_m.z, 0);
+    stage.bench.app.select({});
+    stage.bench.app.mark(0);
+    stage.drag(stage.at({0, 0, 2}), stage.at({0.5f, 0, 2}), Qt::LeftButton);
+    EXPECT_EQ(moved, 0u);
+
+    // Turned by a quarter: what goes to the right as it is seen goes up-stage where the model has it.
+    opened = stage.bench.app.opened();
+    auto show = std::make_shared<scene::Show>(*opened.show);
+    scene::Mover& disc = show->movers[0];
+    disc.kind = scene::MoverKind::revolve;
+    disc.axes.resize(1);
+    disc.axes[0].is_angle = true;
+    opened.show = show;
+    opened.objects[0].bar.reset();
+    stage.bench.link.opened.put(opened);
+    rig = four_lit();
+    rig.movers = {{{-90}, {-90}, {0}}};
+    stage.bench.link.rig.put(std::move(rig));
+    stage.bench.link.on_news();
+    settle();
+    stage.bench.app.mark(std::nullopt);
+    stage.bench.app.select({2});
+    stage.drag(stage.lamp(2), stage.lamp(2) + QPointF(20, 0), Qt::LeftButton);
+    EXPECT_NEAR(by_m.x, 0, 0.01f);
+    EXPECT_GT(by_m.y, 0.2f);
 }
 
 TEST(Movers, keys_drive_what_carries_the_selection_all_hoists_alike) {

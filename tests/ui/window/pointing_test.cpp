@@ -131,6 +131,25 @@ TEST(Aim, through_the_picture_as_soon_as_the_engine_says_what_is_there) {
     EXPECT_EQ(said, "there is nothing but air to aim at");
 }
 
+TEST(Aim, a_late_answer_turns_the_heads_that_it_was_asked_for) {
+    Heads heads;
+    QWidget widget;
+    Actions actions(widget);
+    Aiming aiming(heads.app, actions, nullptr);
+    heads.app.select({1});
+    scene::Camera camera = heads.app.camera();
+    camera.width = 320;
+    camera.height = 180;
+    heads.show_picture(camera);
+    ASSERT_TRUE(aiming.aim_through({0.5f, 0.5f}).ok());
+    heads.app.select({2});
+    heads.link.picked.put({heads.app.request().pick.number, true, {0, 3, 2}, std::nullopt, "wall"});
+    heads.link.on_news();
+    settle();
+    ASSERT_EQ(heads.app.look().fixtures.size(), 1u);
+    EXPECT_TRUE(heads.app.look().fixtures.contains(1));
+}
+
 std::vector<Object> truss() {
     Object truss;
     truss.name = "truss_mid";
@@ -180,6 +199,17 @@ TEST(Pointing, a_body_far_from_its_lamp_is_selected_when_the_engine_says_whose_i
     EXPECT_EQ(seen.bench.app.selection(), (std::set<std::size_t>{1, 2}));
 }
 
+TEST(Pointing, a_late_answer_to_a_click_leaves_what_was_selected_meanwhile) {
+    Watched seen;
+    seen.click({160, 150});
+    seen.bench.app.select({0, 3});
+    seen.bench.link.picked.put(
+        {seen.bench.app.request().pick.number, true, {0, 0, 1}, std::size_t{2}, "Lamp 3 yoke"});
+    seen.bench.link.on_news();
+    settle();
+    EXPECT_EQ(seen.bench.app.selection(), (std::set<std::size_t>{0, 3}));
+}
+
 TEST(Pointing, a_drag_of_a_selected_lamp_moves_it_and_of_another_the_camera) {
     Watched seen;
     std::vector<glm::vec3> moves;
@@ -194,6 +224,31 @@ TEST(Pointing, a_drag_of_a_selected_lamp_moves_it_and_of_another_the_camera) {
     seen.drag(seen.lamp(0), seen.lamp(0) + QPointF(30, 0), Qt::LeftButton);
     EXPECT_EQ(moves.size(), 1u);
     EXPECT_NE(seen.bench.app.camera().position_m, before.position_m);
+}
+
+// Each edit is heard of twice: at once, and when the engine has read it, perhaps in the next drag.
+TEST(Pointing, a_drag_goes_on_while_the_edit_before_it_is_read) {
+    for (const bool is_gone : {false, true}) {
+        Watched seen;
+        int moves = 0;
+        seen.view.on_move = [&](const glm::vec3&) { ++moves; };
+        seen.bench.app.select({3});
+        const QPointF from = seen.lamp(3), to = from - QPointF(30, 0);
+        seen.mouse(QEvent::MouseButtonPress, from, Qt::LeftButton);
+        seen.mouse(QEvent::MouseMove, (from + to) / 2, Qt::LeftButton);
+        Opened opened = seen.bench.app.opened();
+        opened.is_edit = true;
+        auto show = std::make_shared<scene::Show>(*opened.show);
+        show->fixtures[0].position_m.y = 2; // what the edit was about
+        if (is_gone) show->fixtures.pop_back();
+        opened.show = show;
+        seen.bench.link.opened.put(std::move(opened));
+        seen.bench.link.on_news();
+        settle();
+        seen.mouse(QEvent::MouseMove, to, Qt::LeftButton);
+        seen.mouse(QEvent::MouseButtonRelease, to, Qt::LeftButton);
+        EXPECT_EQ(moves, is_gone ? 0 : 1);
+    }
 }
 
 TEST(Pointing, shift_and_a_click_aims_and_selects_nothing) {

@@ -5,10 +5,12 @@
 #include "ui/widgets/toast.h"
 #include "ui/window/window.h"
 
+#include <QAction>
 #include <QLabel>
 #include <QPushButton>
 #include <QStatusBar>
 #include <QToolBar>
+#include <QToolButton>
 
 namespace ghost::ui {
 namespace {
@@ -146,6 +148,48 @@ TEST(UndoWords, the_menu_says_what_undo_and_redo_would_do) {
     in.choose("select-all");
     in.choose("move 1 0 0");
     EXPECT_EQ(in.text("undo"), "Undo: Move of 3 fixtures");
+}
+
+TEST(UndoWords, the_button_of_what_was_done_is_grey_while_something_else_was_done_last) {
+    Refused in;
+    in.choose("select \"Lamp 1\"");
+    in.choose("duplicate");
+    const Toast* const toast = in.window.findChild<Toast*>();
+    const auto* const undo = toast->findChild<QToolButton*>("undo");
+    ASSERT_EQ(toast->words(), "1 fixture duplicated");
+    EXPECT_TRUE(undo->isEnabled());
+    in.choose("smoke 2");
+    ASSERT_EQ(toast->words(), "1 fixture duplicated");
+    EXPECT_FALSE(undo->isEnabled()) << "it would take the smoke";
+    in.choose("undo");
+    EXPECT_TRUE(undo->isEnabled());
+    in.choose("undo");
+    in.choose("smoke 2");
+    EXPECT_FALSE(undo->isEnabled()) << "another step in its place";
+}
+
+TEST(UndoWords, the_line_about_an_edit_takes_back_that_edit_or_nothing) {
+    Refused in;
+    in.link.messages.put({});
+    in.link.on_news();
+    settle();
+    in.choose("select \"Lamp 1\"");
+    in.choose("duplicate");
+    in.choose("smoke 2");
+    Opened read = in.window.app().opened(); // a minute later
+    read.text = in.window.app().request().text;
+    in.link.opened.put(std::move(read));
+    in.link.messages.put({{Severity::error, "show.toml:40", "nobody has this file"}});
+    in.link.on_news();
+    settle();
+    ASSERT_TRUE(in.notice().startsWith("Since this edit: ")) << in.notice().toStdString();
+    const QAction* undo = nullptr;
+    for (const QAction* const one : in.window.findChild<QToolBar*>("notice")->actions())
+        if (one->text() == "Undo") undo = one;
+    ASSERT_TRUE(undo);
+    EXPECT_FALSE(undo->isEnabled()) << "it would take the smoke";
+    in.choose("undo");
+    EXPECT_TRUE(undo->isEnabled());
 }
 
 } // namespace

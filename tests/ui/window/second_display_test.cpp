@@ -3,8 +3,11 @@
 // comes back with it.
 #include "support/test_window.h"
 #include "ui/window/second_display.h"
+#include "ui/window/window.h"
 
+#include <QAction>
 #include <QGuiApplication>
+#include <QKeyEvent>
 #include <QPixmap>
 #include <QScreen>
 
@@ -96,6 +99,45 @@ TEST(SecondDisplay, without_a_name_it_is_the_one_where_the_window_is_not) {
     const QSize pixels = screens[1]->size() * screens[1]->devicePixelRatio();
     EXPECT_EQ(displayed.bench.app.camera().width, pixels.width()) << "all that the display has";
     EXPECT_EQ(displayed.bench.app.camera().height, pixels.height());
+}
+
+void press_in(QWidget& widget, int key, const QString& text = QString(), Qt::KeyboardModifiers held = {}) {
+    QKeyEvent event(QEvent::KeyPress, key, held, text);
+    QCoreApplication::sendEvent(&widget, &event);
+    settle();
+}
+
+TEST(SecondDisplay, keys_that_reach_it_are_those_of_the_window_and_esc_lets_go_before_it_closes) {
+    Link link;
+    Window window{link, {.remembers = false, .width = 900, .height = 600}};
+    window.show();
+    link.opened.put(four_lamps());
+    link.on_news();
+    settle();
+    ASSERT_TRUE(window.actions().run("second-display window").ok());
+    PictureWindow* picture = nullptr;
+    for (QWidget* const one : QApplication::topLevelWidgets())
+        if (auto* const found = qobject_cast<PictureWindow*>(one)) picture = found;
+    ASSERT_TRUE(picture);
+    ASSERT_TRUE(window.actions().item("second-display")->isChecked());
+    press_in(*picture, Qt::Key_B, "b");
+    EXPECT_TRUE(window.app().request().black_out);
+    press_in(*picture, Qt::Key_B, "B", Qt::ShiftModifier);
+    EXPECT_TRUE(window.app().request().black_out) << "another key";
+    window.app().set_exposure(6, false);
+    press_in(*picture, Qt::Key_Plus, "+", Qt::ShiftModifier); // as keyboards have it above =
+    EXPECT_LT(window.app().camera().ev100, 6);
+    window.app().select({1});
+    press_in(*picture, Qt::Key_Escape);
+    EXPECT_TRUE(window.app().selection().empty());
+    ASSERT_TRUE(picture->isVisible());
+    press_in(*picture, Qt::Key_Escape);
+    EXPECT_FALSE(window.actions().item("second-display")->isChecked());
+    ASSERT_TRUE(window.actions().run("second-display window").ok());
+    for (QWidget* const one : QApplication::topLevelWidgets())
+        if (auto* const found = qobject_cast<PictureWindow*>(one)) picture = found;
+    press_in(*picture, Qt::Key_F11, QString(), Qt::ShiftModifier);
+    EXPECT_FALSE(window.actions().item("second-display")->isChecked()) << "it is what closes it, too";
 }
 
 TEST(SecondDisplay, what_is_not_there_is_a_sentence) {

@@ -44,6 +44,8 @@ private:
     void say_not_opened();
     void say_unseen();
     void say_without_optics();
+    void note_edit();
+    void mark_undo();
 
     Actions& actions_;
     ShowDocument& document_;
@@ -52,6 +54,8 @@ private:
     bool says_not_opened_ = false, says_unseen_ = false, says_refused_ = false;
     bool closed_unseen_ = false;   // by hand, until it is another one
     bool awaits_messages_ = false; // the first ones of a show that was opened
+    int edit_ = -1;                // place in the undo list of the newest edit; -1: it is not there
+    QAction* undo_ = nullptr;      // of what is said of it
     std::set<std::string> errors_; // of the show that was open, without their lines, which move
 };
 

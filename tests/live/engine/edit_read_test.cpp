@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: Apache-2.0
+// A head that comes or goes: until the show is read anew, hands hold the same heads in what is drawn.
+#include "live/engine/engine.h"
+#include "live/session/applied_look.h"
+#include "show_file/show_edit.h"
+#include "support/demo_copy.h"
+#include "support/must.h"
+
+#include "disk/files.h"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <thread>
+
+namespace ghost::app {
+namespace {
+
+template <class F>
+bool comes(F&& holds) {
+    for (int i = 0; i < 6000; ++i) {
+        if (holds()) return true;
+        std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    }
+    return false;
+}
+
+TEST(EditRead, hands_light_the_same_heads_until_the_show_is_read) {
+    ui::Link link;
+    link.on_news = [] {};
+    EngineOptions options;
+    options.listens = false;
+    options.session.quiet = true;
+    Engine engine(link, options);
+    ui::ViewRequest request;
+    request.show = DemoCopy::show().string();
+    request.number = 1;
+    request.camera.width = 0;
+    link.request.put(request);
+    std::optional<ui::Opened> opened;
+    ASSERT_TRUE(comes([&] { return (opened = link.opened.take()).has_value(); }));
+    const std::shared_ptr<const scene::Show> before = opened->show;
+    const std::size_t count = before->fixtures.size();
+    ASSERT_GT(count, 3u);
+    request.camera = before->cameras.front();
+    request.camera.width = 64;
+    request.camera.height = 36;
+    request.input = ui::Input::desk; // that nobody hears
+    request.counted = before;
+    const auto light = [&](std::size_t fixtures, std::size_t one) {
+        request.look.fixtures.clear();
+        for (std::size_t i = 0; i < fixtures; ++i)
+            request.look.fixtures[i].intensity = i == one ? 1.0f : 0.0f;
+    };
+    light(count, 1);
+    request.number = 2;
+    link.request.put(request);
+    const auto are_right = [](const ui::RigNow& rig) {
+        return rig.fixtures[1].dimmer > 0.99f && rig.fixtures[2].dimmer < 0.01f;
+    };
+    ASSERT_TRUE(comes([&] {
+        const auto rig = link.rig.take();
+        return rig && are_right(*rig);
+    }));
+
+    const std::string text = must(read_text_file(before->file, 1 << 20));
+    request.text = std::make_shared<const std::string>(must(scene::copy_fixture(text, 0, {.name = "Copy"})));
+    auto shown = std::make_shared<scene::Show>(*before);
+    shown->fixtures.insert(shown->fixtures.begin() + 1, shown->fixtures[0]);
+    shown->fixtures[1].name = "Copy";
+    request.counted = shown;
+    light(count + 1, 2);
+    request.number = 3;
+    link.request.put(request);
+    int seen = 0, wrong = 0;
+    ASSERT_TRUE(comes([&] {
+        if (const auto rig = link.rig.take(); rig && rig->fixtures.size() == count) {
+            ++seen;
+            wrong += are_right(*rig) ? 0 : 1;
+        }
+        return (opened = link.opened.take()).has_value();
+    }));
+    ASSERT_EQ(opened->show->fixtures.size(), count + 1);
+    EXPECT_GT(seen, 3);
+    EXPECT_EQ(wrong, 0) << "of " << seen;
+    EXPECT_TRUE(comes([&] {
+        const auto rig = link.rig.take();
+        return rig && rig->fixtures.size() == count + 1 && rig->fixtures[1].dimmer < 0.01f &&
+               rig->fixtures[2].dimmer > 0.99f;
+    }));
+}
+
+scene::Show show_of(const std::vector<const char*>& names) {
+    scene::Show show;
+    for (const char* const name : names) show.fixtures.emplace_back().name = name;
+    for (const char* const name : {"Lift", "Truss"}) show.movers.emplace_back().name = name;
+    return show;
+}
+
+TEST(EditRead, a_look_is_counted_by_names) {
+    const scene::Show drawn = show_of({"A", "B", "C"});
+    ui::Look look;
+    look.fixtures[0].intensity = 0.1f;
+    look.fixtures[2].intensity = 0.3f;
+    look.solo = {2};
+    look.movers[1] = {2};
+    look.scene.smoke = 2.0f;
+    const ui::Look removed = counted_as(drawn, look, show_of({"B", "C", "New"}));
+    EXPECT_EQ(removed.fixtures.at(1).intensity, 0.1f);
+    EXPECT_EQ(removed.fixtures.at(0).intensity, 0.0f) << "not one of those alone";
+    EXPECT_FALSE(removed.fixtures.contains(2));
+    EXPECT_TRUE(removed.solo.empty());
+    EXPECT_EQ(removed.movers, look.movers);
+    EXPECT_EQ(removed.scene.smoke, 2.0f);
+    const ui::Look renamed = counted_as(drawn, look, show_of({"Front", "B", "C"}));
+    EXPECT_EQ(renamed, look);
+    scene::Show without_lift = show_of({"A", "B", "C"});
+    without_lift.movers.erase(without_lift.movers.begin());
+    look.movers = {{0, {2}}};
+    EXPECT_EQ(counted_as(drawn, look, without_lift).movers,
+              (std::map<std::size_t, std::vector<float>>{{1, {2}}}));
+}
+
+} // namespace
+} // namespace ghost::app
