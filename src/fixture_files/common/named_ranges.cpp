@@ -116,6 +116,7 @@ bool take_settings(ChannelFunction& function) {
         if (known[k]) {
             function.sets[k].physical_from = known[k]->from;
             function.sets[k].physical_to = known[k]->to;
+            function.sets[k].is_stated = true;
         }
     return true;
 }
@@ -204,6 +205,7 @@ bool take_percents(ChannelFunction& function) {
     if (!has_percents) return false;
     for (std::size_t k = 0; k < sets.size(); ++k) {
         ChannelSet& set = sets[k];
+        set.is_stated = !is_bare(set);
         if (const auto share = percent_of(set.name)) {
             set.physical_from = share->first;
             set.physical_to = share->second;
@@ -240,7 +242,7 @@ bool stand_still(ChannelFunction& function) {
                                                       is_on_line(set.physical_to, set.dmx_to));
         if (!says_no_speed || (set.physical_from == 0.0f && set.physical_to == 0.0f)) continue;
         set.physical_from = set.physical_to = 0.0f;
-        changed = true;
+        set.is_stated = changed = true;
     }
     return changed;
 }
