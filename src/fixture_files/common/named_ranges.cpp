@@ -140,6 +140,7 @@ bool take_kelvin(ChannelFunction& function) {
         if (known[k]) {
             set.physical_from = known[k]->from;
             set.physical_to = known[k]->to;
+            set.is_stated = true;
         } else if (const bool between = k > 0 && k + 1 < known.size() && known[k - 1] && known[k + 1];
                    between && trimmed(set.name).empty()) {
             set.physical_from = known[k - 1]->to;

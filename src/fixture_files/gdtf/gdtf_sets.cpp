@@ -32,13 +32,15 @@ bool has_default_range(const ChannelFunction& function) {
 }
 
 bool says_open(const ChannelSet& set) {
-    return (name_says(set.name, "open") && !name_says(set.name, "opening")) || name_says(set.name, "led on") ||
-           name_says(set.name, "light on") || name_says(set.name, "shutter on");
+    return (name_says(set.name, "open") && !name_says(set.name, "opening")) ||
+           name_says(set.name, "led on") || name_says(set.name, "light on") ||
+           name_says(set.name, "shutter on");
 }
 
 bool says_closed(const ChannelSet& set) {
-    return name_says(set.name, "clos") || name_says(set.name, "led off") || name_says(set.name, "light off") ||
-           name_says(set.name, "shutter off") || name_says(set.name, "blackout");
+    return name_says(set.name, "clos") || name_says(set.name, "led off") ||
+           name_says(set.name, "light off") || name_says(set.name, "shutter off") ||
+           name_says(set.name, "blackout");
 }
 
 // A shutter with a set for each of both is open or closed there, not on its way; and one whose sets all say
@@ -85,6 +87,7 @@ bool take_range_of_sets(ChannelFunction& function) {
     if (!is_other || first == last) return false;
     const bool falls = first->physical_from > last->physical_to;
     if (low == 0.0f && high == 1.0f && !falls) return false;
+    if (low == high && low >= 0.0f && high <= 1.0f) return false;
     function.physical_from = falls ? high : low;
     function.physical_to = falls ? low : high;
     return true;
@@ -135,21 +138,30 @@ void hold_at_ends(ChannelFunction& function) {
 }
 
 // "Open 0..0.5, Blue -0.5..0.5, Green -0.5..0.5": half a slot of one meets half a slot of the next. Steps
-// from slot to slot have 0..0, and shakes, which go by Hz, nothing below 0.
+// from slot to slot have 0..0, and shakes, which go by Hz, nothing below 0. Files also have -0.5..0.5 for
+// steps, and for sets that begin at their slots (Robe BMFL Spot): then the first one begins below 0, or is
+// as wide as the others.
 bool says_places_beside_slots(const ChannelFunction& function) {
-    constexpr float kHalf = 0.501f;
+    constexpr float kMostBeside = 0.501f;
+    constexpr double kMostOfAWay = 0.75;
     const Role role = function.meaning.role;
     if (role != Role::color_wheel && role != Role::color_wheel_index && role != Role::gobo_wheel &&
         role != Role::gobo_wheel_index)
         return false;
-    bool has_lower = false;
+    const ChannelSet* first = nullptr;
+    const ChannelSet* way = nullptr; // the first one all of whose slot goes by
     for (const ChannelSet& set : function.sets) {
         if (set.slot < 0) continue;
         const auto [least, most] = std::minmax(set.physical_from, set.physical_to);
-        if (!set.is_stated || least < -kHalf || most > kHalf) return false;
-        has_lower = has_lower || least < 0.0f;
+        if (!set.is_stated || least < -kMostBeside || most > kMostBeside) return false;
+        if (!first) first = &set;
+        if (!way && least < 0.0f) way = &set;
     }
-    return has_lower;
+    if (!way || first->physical_from < 0.0f) return false;
+    const auto width = [](const ChannelSet& set) {
+        return static_cast<double>(set.dmx_to) - set.dmx_from + 1.0;
+    };
+    return first->physical_to > first->physical_from || width(*first) <= kMostOfAWay * width(*way);
 }
 
 } // namespace

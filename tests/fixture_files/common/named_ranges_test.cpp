@@ -78,8 +78,8 @@ TEST(NamedRanges, TemperaturesThatNobodyStatesAreSettings) {
     EXPECT_NEAR(way.at({128}).cct_k, 4856.0f, 30.0f) << "the ends of a way";
     const Tiny stated(
         channel(1, function("CTC", range,
-                            set(0, "3200K", 0, physical(3000)) + set(100, "6500K", 0, physical(6000)))));
-    EXPECT_FLOAT_EQ(stated.at({100}).cct_k, 6000.0f) << "a file that states its values is believed";
+                            set(0, "3200K", 0, physical(3000)) + set(100, "6500K", 0, physical(5000)))));
+    EXPECT_FLOAT_EQ(stated.at({100}).cct_k, 5000.0f) << "a file that states its values is believed";
 }
 
 // As Robe's chart has it.
