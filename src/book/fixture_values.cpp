@@ -36,7 +36,7 @@ std::string slot_text(const fixture::Wheel& wheel, std::size_t slot, const Print
 
 // "": open.
 std::string wheel_text(const Type& type, const fixture::WheelState& state, const PrintStyle& style) {
-    if (state.wheel < 0) return "";
+    if (state.wheel < 0 || !state.in) return "";
     const fixture::Wheel& wheel = type.wheels[static_cast<std::size_t>(state.wheel)];
     if (wheel.slots.empty()) return "";
     if (state.spinning) return style("wheel turning");

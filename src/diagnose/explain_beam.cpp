@@ -237,11 +237,13 @@ BeamFacts measure(const fixture::Patch& patch, std::size_t beam, const BeamState
     });
     facts.optics = optics_text(type, now);
     for (const WheelState& wheel : now.color_wheels) {
+        if (!wheel.in) continue;
         facts.wheels.push_back(wheel_facts(type, wheel, true));
         facts.wheels.back().fraction =
             fractions.alone([&](Optics& optics) { optics.color_wheels = {wheel}; });
     }
     for (const WheelState& wheel : now.gobo_wheels) {
+        if (!wheel.in) continue;
         facts.wheels.push_back(wheel_facts(type, wheel, false));
         facts.wheels.back().fraction = fractions.alone([&](Optics& optics) { optics.gobo_wheels = {wheel}; });
     }

@@ -121,7 +121,7 @@ void focus_on(float depth, shared::Light& light) {
 
 SlotPair slots_at(const fixture::Type& type, const fixture::WheelState& state) {
     SlotPair pair;
-    if (state.wheel < 0) return pair;
+    if (state.wheel < 0 || !state.in) return pair;
     const std::vector<fixture::Slot>& slots = type.wheels[static_cast<std::size_t>(state.wheel)].slots;
     if (slots.empty()) return pair;
     const float position = std::max(state.position, 0.0f);

@@ -218,7 +218,6 @@ void read_sets(GdtfReader& reader, pugi::xml_node node, int bytes, ChannelFuncti
             ? 0
             : static_cast<int>(reader.type().wheels[static_cast<std::size_t>(function.wheel)].slots.size());
     if (function.dmx_from > function.dmx_to) return; // said already
-    std::vector<bool> given;
     std::size_t bad_slots = 0;
     pugi::xml_node first_bad;
     for (const pugi::xml_node child : node.children("ChannelSet")) {
@@ -237,7 +236,7 @@ void read_sets(GdtfReader& reader, pugi::xml_node node, int bytes, ChannelFuncti
         set.dmx_from = *from;
         set.physical_from = reader.number(child, "PhysicalFrom", 0.0f, -kMaxPhysical, kMaxPhysical);
         set.physical_to = reader.number(child, "PhysicalTo", 0.0f, -kMaxPhysical, kMaxPhysical);
-        given.push_back(reader.attribute(child, "PhysicalFrom") && reader.attribute(child, "PhysicalTo"));
+        set.is_stated = reader.attribute(child, "PhysicalFrom") && reader.attribute(child, "PhysicalTo");
         const std::optional<int> slot = parse_int(reader.text(child, "WheelSlotIndex", "0"));
         if (slot && *slot >= 1 && *slot <= slots)
             set.slot = *slot - 1;
@@ -257,28 +256,7 @@ void read_sets(GdtfReader& reader, pugi::xml_node node, int bytes, ChannelFuncti
                        (bad_slots > 1 ? " (" + std::to_string(bad_slots) + " sets of this function)" : ""));
     if (function.sets.empty()) return;
     function.sets.back().dmx_to = function.dmx_to;
-    const auto physical_at = [&](std::uint32_t value) {
-        const double span = static_cast<double>(function.dmx_to) - static_cast<double>(function.dmx_from);
-        const double share =
-            span <= 0.0 ? 0.0 : (static_cast<double>(value) - static_cast<double>(function.dmx_from)) / span;
-        return static_cast<float>(static_cast<double>(function.physical_from) +
-                                  share * (static_cast<double>(function.physical_to) -
-                                           static_cast<double>(function.physical_from)));
-    };
-    const auto is_open = [](const ChannelSet& set) { return says(set.name, "open"); };
-    const auto is_closed = [](const ChannelSet& set) { return says(set.name, "clos"); };
-    // A shutter with a set for each of both is open or closed there, not on its way.
-    const bool named = function.meaning.role == Role::shutter &&
-                       std::any_of(function.sets.begin(), function.sets.end(), is_open) &&
-                       std::any_of(function.sets.begin(), function.sets.end(), is_closed);
-    for (std::size_t i = 0; i < function.sets.size(); ++i) {
-        ChannelSet& set = function.sets[i];
-        if (given[i]) continue;
-        set.physical_from = physical_at(set.dmx_from);
-        set.physical_to = physical_at(set.dmx_to);
-        if (named && is_open(set) != is_closed(set))
-            set.physical_from = set.physical_to = is_open(set) ? 1.0f : 0.0f;
-    }
+    settle_sets(function);
 }
 
 // What a value below the first function means, where files leave that open: a dimmer that begins at 1 is dark
@@ -327,8 +305,12 @@ void fill_below(GdtfReader& reader, Channel& channel, const std::vector<ModeMast
     const float first =
         function.sets.empty() || bare ? function.physical_from : function.sets[0].physical_from;
     std::vector<ChannelSet> sets;
-    sets.push_back(
-        {.name = "", .dmx_from = 0, .dmx_to = from - 1, .physical_from = first, .physical_to = first});
+    sets.push_back({.name = "",
+                    .dmx_from = 0,
+                    .dmx_to = from - 1,
+                    .physical_from = first,
+                    .physical_to = first,
+                    .is_stated = false});
     if (bare) {
         const std::uint32_t to = function.sets.empty() ? function.dmx_to : function.sets.front().dmx_from - 1;
         const double share =
@@ -339,7 +321,8 @@ void fill_below(GdtfReader& reader, Channel& channel, const std::vector<ModeMast
                         .dmx_from = from,
                         .dmx_to = to,
                         .physical_from = function.physical_from,
-                        .physical_to = static_cast<float>(last)});
+                        .physical_to = static_cast<float>(last),
+                        .is_stated = false});
     }
     function.sets.insert(function.sets.begin(), sets.begin(), sets.end());
     function.dmx_from = 0;

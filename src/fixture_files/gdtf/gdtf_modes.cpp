@@ -197,6 +197,13 @@ struct ModeReader {
         return {-1, -1};
     }
 
+    // Whether a function of this channel counts under values of a master from above 0 on.
+    bool has_rest_of(const ChannelTemplate& source, const std::string& link, int bytes) const {
+        return std::any_of(source.masters.begin(), source.masters.end(), [&](const ModeMaster& master) {
+            return master.link == link && dmx_value(reader, master.node, "ModeFrom", bytes, 0) > 0;
+        });
+    }
+
     void link_masters() {
         for (std::size_t i = 0; i < mode.channels.size(); ++i) {
             const auto [source, instance] = sources[i];
@@ -219,6 +226,13 @@ struct ModeReader {
                 follower.master_function = function;
                 follower.master_from = dmx_value(reader, master.node, "ModeFrom", bytes, 0);
                 follower.master_to = dmx_value(reader, master.node, "ModeTo", bytes, 0);
+                if (function < 0 || follower.master_from != 0 || follower.master_to != 0) continue;
+                // 0..0 is also what stands there where nobody wrote a range: then the whole of the function
+                // that the link names is meant, unless another one here counts for the rest of it.
+                const ChannelFunction& named = leader.functions[static_cast<std::size_t>(function)];
+                if (named.dmx_from == 0 && has_rest_of(made_from, master.link, bytes)) continue;
+                follower.master_from = named.dmx_from;
+                follower.master_to = named.dmx_to;
             }
         }
     }

@@ -57,7 +57,8 @@ void QxfSketcher::convert_dimmer(const QxfCapability& capability) {
         add(capability, "Dimmer", falls(words) ? Range{1, 0} : Range{0, 1});
     } else if (has_word(words, {"off", "blackout", "black out", "closed", "black-out", "no light"})) {
         add(capability, "Dimmer", {0, 0});
-    } else if (has_word(words, {"open", "full", "lamp on", "light on"}) || words == "on") {
+    } else if (has_word(words, {"open", "full", "lamp on", "light on"}) || words == "on" ||
+               words.ends_with(" on")) {
         add(capability, "Dimmer", {1, 1});
     } else {
         add(capability, "Dimmer", part(capability, {0, 1}));
@@ -79,6 +80,8 @@ void QxfSketcher::add_strobe(const QxfCapability& capability, const std::string&
             hertz.push_back(*value);
         }
     Range range = graded(capability.words, kSlowStrobe_Hz, kFastStrobe_Hz);
+    if (preset_ && preset_->attribute == "Shutter1Strobe" && !has_word(capability.words, {"slow", "fast"}))
+        range = {preset_->from, preset_->to};
     if (capability.preset.ends_with("SlowToFast")) range = {kSlowStrobe_Hz, kFastStrobe_Hz};
     if (capability.preset.ends_with("FastToSlow")) range = {kFastStrobe_Hz, kSlowStrobe_Hz};
     if (!hertz.empty()) {
@@ -192,7 +195,8 @@ void QxfSketcher::convert_turn(const QxfCapability& capability, const std::strin
             range = {capability.high - capability.low < 20 ? degrees[0] : 0.0f, degrees[0]};
         return add(capability, index, range);
     }
-    if (has_word(words, {"no function", "off", "no effect"})) return add(capability, rotate, {0, 0});
+    if (has_word(words, {"no function", "no effect"})) return ignore(capability);
+    if (has_word(words, {"off"})) return add(capability, rotate, {0, 0});
     const bool whole_way = capability.high - capability.low >= 20;
     if (whole_way && (single() || has_word(words, {"rotat", "speed", "slow", "fast"}))) {
         const Range range = graded(words, slow, fast);

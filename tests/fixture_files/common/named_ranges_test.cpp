@@ -4,7 +4,7 @@
 #include "fixture/decode.h"
 #include "fixture/programmer.h"
 #include "fixture/sweep.h"
-#include "support/tiny_gdtf.h"
+#include "support/tiny_channels.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,43 +12,11 @@
 namespace ghost::fixture {
 namespace {
 
-std::string channel(int offset, const std::string& functions) {
-    return "<DMXChannel Offset=\"" + std::to_string(offset) +
-           "\" Geometry=\"Beam\"><LogicalChannel Attribute=\"X\">" + functions +
-           "</LogicalChannel></DMXChannel>";
-}
-
-std::string function(const std::string& attribute, const std::string& more, const std::string& sets) {
-    return "<ChannelFunction Name=\"" + attribute + "\" Attribute=\"" + attribute + "\" " + more + ">" +
-           sets + "</ChannelFunction>";
-}
-
-std::string set(int from, const std::string& name, int slot = 0, const std::string& more = "") {
-    return "<ChannelSet DMXFrom=\"" + std::to_string(from) + "/1\" Name=\"" + name + "\" WheelSlotIndex=\"" +
-           std::to_string(slot) + "\" " + more + "/>";
-}
-
-std::string physical(float value) {
-    const std::string text = std::to_string(value);
-    return "PhysicalFrom=\"" + text + "\" PhysicalTo=\"" + text + "\"";
-}
-
-struct Tiny {
-    LoadedType loaded;
-    Patch patch;
-    explicit Tiny(const std::string& channels, const std::string& wheels = "")
-        : loaded([&] {
-              Description description;
-              description.channels = channels;
-              description.wheels = wheels;
-              return std::move(load_xml(description.xml()).value());
-          }()) {
-        patch = {.name = "tiny", .type = &loaded.type, .mode = 0, .addresses = {{1, 1}}};
-    }
-    Tiny(const Tiny&) = delete;
-    Tiny& operator=(const Tiny&) = delete;
-    Optics at(std::vector<std::uint8_t> levels) const { return decode_levels(patch, levels).beams.at(0); }
-};
+using tiny::channel;
+using tiny::function;
+using tiny::physical;
+using tiny::set;
+using tiny::Tiny;
 
 TEST(NamedRanges, AnIrisIsOpenWhereItIsCalledSo) {
     const Tiny tiny(channel(
@@ -97,6 +65,73 @@ TEST(NamedRanges, KelvinInTheNamesCount) {
     EXPECT_NEAR(tiny.at({128}).cct_k, 5360.0f, 30.0f);
     EXPECT_FLOAT_EQ(tiny.at({255}).cct_k, 2700.0f);
     EXPECT_TRUE(says(tiny.loaded, {"named in kelvin"}));
+}
+
+// As Fiilex has it: two settings, not a way between them.
+TEST(NamedRanges, TemperaturesThatNobodyStatesAreSettings) {
+    const std::string range = "PhysicalFrom=\"3200\" PhysicalTo=\"6500\"";
+    const Tiny tiny(channel(1, function("CTC", range, set(0, "3200K") + set(100, "6500K"))));
+    EXPECT_FLOAT_EQ(tiny.at({99}).cct_k, 3200.0f);
+    EXPECT_FLOAT_EQ(tiny.at({100}).cct_k, 6500.0f);
+    EXPECT_TRUE(says(tiny.loaded, {"named in kelvin", "1 function"}));
+    const Tiny way(channel(1, function("CTC", range, set(0, "3200K") + set(255, "6500K"))));
+    EXPECT_NEAR(way.at({128}).cct_k, 4856.0f, 30.0f) << "the ends of a way";
+    const Tiny stated(
+        channel(1, function("CTC", range,
+                            set(0, "3200K", 0, physical(3000)) + set(100, "6500K", 0, physical(5000)))));
+    EXPECT_FLOAT_EQ(stated.at({100}).cct_k, 5000.0f) << "a file that states its values is believed";
+}
+
+// As Robe's chart has it.
+TEST(NamedRanges, AFrostGoesByItsPerCents) {
+    const std::string sets = set(0, "Open") + set(1, "Light Frost from 0% to 100% - Light frost") +
+                             set(51, "100% Light Frost - Light frost") +
+                             set(54, "Pulse closing from slow to fast");
+    const Tiny tiny(channel(1, function("Frost1", "PhysicalFrom=\"0\" PhysicalTo=\"1\"", sets)));
+    EXPECT_FLOAT_EQ(tiny.at({0}).frost, 0.0f);
+    EXPECT_NEAR(tiny.at({25}).frost, 0.48f, 0.01f);
+    EXPECT_FLOAT_EQ(tiny.at({50}).frost, 1.0f);
+    EXPECT_FLOAT_EQ(tiny.at({53}).frost, 1.0f);
+    EXPECT_FLOAT_EQ(tiny.at({100}).frost, 0.5f);
+    EXPECT_TRUE(says(tiny.loaded, {"frost", "per cent", "1 function"}));
+    const Tiny stated(
+        channel(1, function("Frost1", "PhysicalFrom=\"0\" PhysicalTo=\"1\"",
+                            set(0, "Open", 0, physical(0)) + set(51, "100%", 0, physical(0.7f)))));
+    EXPECT_FLOAT_EQ(stated.at({60}).frost, 0.7f);
+}
+
+TEST(NamedRanges, NoRotationStandsStill) {
+    const std::string sets = set(0, "Prism no rotation 0") + set(1, "Forwards fast") +
+                             set(2, "Forwards from fast to slow") + set(128, "No rotation") +
+                             set(129, "Backwards from slow to fast");
+    const Tiny tiny(channel(1, function("Prism1", "", "")) +
+                    channel(2, function("Prism1PosRotate", "PhysicalFrom=\"-30\" PhysicalTo=\"30\"", sets)));
+    EXPECT_EQ(tiny.at({255, 0}).prisms.at(0).deg_s, 0.0f);
+    EXPECT_NEAR(tiny.at({255, 1}).prisms.at(0).deg_s, -30.0f, 0.5f);
+    EXPECT_EQ(tiny.at({255, 128}).prisms.at(0).deg_s, 0.0f);
+    EXPECT_FLOAT_EQ(tiny.at({255, 255}).prisms.at(0).deg_s, 30.0f);
+    EXPECT_TRUE(says(tiny.loaded, {"rotation", "says that there is none", "1 function"}));
+    // Straight from end to end is what a program writes, no statement; another number is one.
+    const std::string range = "PhysicalFrom=\"-56\" PhysicalTo=\"56\"";
+    const Tiny written(
+        channel(1, function("Prism1PosRotate", range,
+                            set(0, "No rotation", 0, physical(-56)) + set(1, "Fast to slow"))));
+    EXPECT_EQ(written.at({0}).prisms.at(0).deg_s, 0.0f);
+    const Tiny stated(channel(1, function("Prism1PosRotate", range,
+                                          set(0, "No rotation", 0, physical(-3)) + set(1, "Fast to slow"))));
+    EXPECT_EQ(stated.at({0}).prisms.at(0).deg_s, -3.0f);
+}
+
+TEST(NamedRanges, APulseThatTakesSecondsIsNoRate) {
+    const std::string sets = set(0, "Slow to fast 1/2", 0, "PhysicalFrom=\"80\" PhysicalTo=\"8\"") +
+                             set(128, "Slow to fast 2/2", 0, "PhysicalFrom=\"8\" PhysicalTo=\"0.5\"");
+    const Tiny tiny(channel(1, function("IrisPulseOpen", "PhysicalFrom=\"0.1\" PhysicalTo=\"3\"", sets)));
+    EXPECT_FLOAT_EQ(tiny.at({0}).iris_hz, 1.0f / 80.0f);
+    EXPECT_FLOAT_EQ(tiny.at({255}).iris_hz, 2.0f);
+    EXPECT_TRUE(says(tiny.loaded, {"seconds of a pulse", "1 function"}));
+    const Tiny rate(channel(1, function("IrisPulseOpen", "PhysicalFrom=\"0.1\" PhysicalTo=\"3\"",
+                                        set(0, "Slow to fast", 0, "PhysicalFrom=\"0.1\" PhysicalTo=\"3\""))));
+    EXPECT_FLOAT_EQ(rate.at({255}).iris_hz, 3.0f);
 }
 
 TEST(NamedRanges, AnAnimationWheelMovesIn) {

@@ -562,5 +562,25 @@ TEST(qxf, the_vl2500_wash_agrees_with_our_own_gdtf) {
     EXPECT_TRUE(says(*qxf, "channel 'Color Wheel': 2 of 2 ranges are not shown"));
 }
 
+// "No function" of an endless pan, a strobe by its preset, "light1 on", a hue without a saturation.
+TEST(qxf, what_says_nothing_leaves_the_say_to_others) {
+    const LoadedType type = loaded(definition(R"xml(
+ <Channel Name="Pan" Preset="PositionPan"/>
+ <Channel Name="Pan continuous rotation"><Group Byte="0">Pan</Group>
+  <Capability Min="0" Max="127">no function</Capability>
+  <Capability Min="128" Max="255">Forwards Pan rotation from fast to slow</Capability></Channel>
+ <Channel Name="Strobe" Preset="ShutterStrobeFastSlow"/>
+ <Channel Name="Light1"><Group Byte="0">Intensity</Group>
+  <Capability Min="0" Max="127">light1 off</Capability><Capability Min="128" Max="255">light1 on</Capability></Channel>
+ <Mode Name="m"><Channel Number="0">Pan</Channel><Channel Number="1">Pan continuous rotation</Channel>
+  <Channel Number="2">Strobe</Channel><Channel Number="3">Light1</Channel></Mode>)xml"));
+    EXPECT_FLOAT_EQ(play(type.type, {255, 0, 0, 255}).pan_deg, 270.0f);
+    EXPECT_TRUE(play(type.type, {255, 200, 0, 255}).axes.at(0).spinning);
+    EXPECT_GT(play(type.type, {0, 0, 10, 128}).beams[0].optics.strobe_hz,
+              play(type.type, {0, 0, 250, 128}).beams[0].optics.strobe_hz);
+    EXPECT_EQ(play(type.type, {0, 0, 0, 127}).beams[0].optics.dimmer, 0.0f);
+    EXPECT_EQ(play(type.type, {0, 0, 0, 128}).beams[0].optics.dimmer, 1.0f);
+}
+
 } // namespace
 } // namespace ghost::fixture

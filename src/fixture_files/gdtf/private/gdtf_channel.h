@@ -23,6 +23,9 @@ struct ChannelTemplate {
 };
 
 int bytes_of(const Channel& channel); // 1..4; a virtual channel counts as 4, as files write its values
+// Once all sets of a function are read: what those have that leave it open.
+void settle_sets(ChannelFunction& function);
+
 ChannelTemplate read_channel(GdtfReader& reader, pugi::xml_node node);
 std::uint32_t dmx_value(GdtfReader& reader, pugi::xml_node node, const char* attribute, int bytes,
                         std::uint32_t fallback);
