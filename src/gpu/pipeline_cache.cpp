@@ -18,8 +18,8 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::uintmax_t kMostPipelineBytes = std::uintmax_t{256} << 20;
-constexpr std::array<char, 8> kMagic{'g', 'h', 'o', 's', 't', 'p', 'i', '1'};
-constexpr std::size_t kHeadBytes = kMagic.size() + sizeof(std::uint32_t); // magic, CRC of what follows
+constexpr std::array<char, 8> kFileMagic{'g', 'h', 'o', 's', 't', 'p', 'i', '1'};
+constexpr std::size_t kHeadBytes = kFileMagic.size() + sizeof(std::uint32_t); // magic, CRC of what follows
 constexpr const char* kExtension = ".pipelines";
 
 VkPhysicalDeviceProperties properties_of(VkPhysicalDevice physical) {
@@ -94,9 +94,9 @@ Result<std::vector<std::uint8_t>>
 PipelineCache::contents(const VkPhysicalDeviceProperties& properties) const {
     TRY(const std::vector<std::uint8_t> bytes, read_file(file_, kMostPipelineBytes));
     ByteReader reader(bytes);
-    const Bytes magic = reader.take(kMagic.size());
+    const Bytes magic = reader.take(kFileMagic.size());
     const std::uint32_t crc = reader.u32_le();
-    if (!reader.ok() || std::memcmp(magic.data(), kMagic.data(), kMagic.size()) != 0)
+    if (!reader.ok() || std::memcmp(magic.data(), kFileMagic.data(), kFileMagic.size()) != 0)
         return Error{"is no file of pipelines", ""};
     const Bytes data = reader.take(reader.left());
     if (crc32(data) != crc) return Error{"is damaged", ""};
@@ -115,7 +115,7 @@ void PipelineCache::keep() const {
         return;
     data.resize(size);
     if (data == read_) return;
-    std::vector<std::uint8_t> bytes(kMagic.begin(), kMagic.end());
+    std::vector<std::uint8_t> bytes(kFileMagic.begin(), kFileMagic.end());
     const std::uint32_t crc = crc32(data);
     for (int shift = 0; shift < 32; shift += 8) bytes.push_back(static_cast<std::uint8_t>(crc >> shift));
     bytes.insert(bytes.end(), data.begin(), data.end());
