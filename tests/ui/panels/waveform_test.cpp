@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+// The recording below the picture: which button goes to a place of it.
 #include "support/test_window.h"
 #include "ui/panel_parts/waveform.h"
 
