@@ -11,6 +11,7 @@
 #include <QLocale>
 
 #include <algorithm>
+#include <memory>
 #include <utility>
 
 namespace ghost::ui {
