@@ -39,11 +39,11 @@ TEST(BakedView, passes_beyond_the_device_are_refused_and_say_why) {
     baked.passes.fragments.resize(1);
     baked.passes.lights.resize(300);
     EXPECT_EQ(render::beyond_device(*session.device, baked.passes),
-              "pictures of 1 x 2 in 301 layers, and this device has them up to " +
+              "pictures of 1 x 1 in 301 layers, and this device has them up to " +
                   std::to_string(session.device->limits().image_side) + " a side and 256 layers");
     const auto view = BakedView::create(session, baked);
     ASSERT_FALSE(view.ok());
-    EXPECT_NE(view.error().text().find("its passes need pictures of 1 x 2 in 301 layers"), std::string::npos)
+    EXPECT_NE(view.error().text().find("its passes need pictures of 1 x 1 in 301 layers"), std::string::npos)
         << view.error().text();
     baked.passes.lights.resize(255);
     EXPECT_EQ(render::beyond_device(*session.device, baked.passes), "");
