@@ -5944,6 +5944,22 @@ Bitte den Namen des Ordners prüfen.</translation>
         <translation>der Fokus heißt an seinem unteren Ende fern, das hier nah ist; den Namen wird geglaubt (%1 Funktionen)</translation>
     </message>
     <message>
+        <source>a colour temperature whose sets are named in kelvin and state no value; the names are believed (%1 functions)</source>
+        <translation>eine Farbtemperatur, deren Sets nach Kelvin heißen und keinen Wert nennen; den Namen wird geglaubt (%1 Funktionen)</translation>
+    </message>
+    <message>
+        <source>a frost whose sets are named in per cent and state no value; the names are believed, and what pulses is drawn half in (%1 functions)</source>
+        <translation>ein Frost, dessen Sets nach Prozenten heißen und keinen Wert nennen; den Namen wird geglaubt, und was pulsiert, ist halb eingefahren gezeichnet (%1 Funktionen)</translation>
+    </message>
+    <message>
+        <source>a rotation has a speed where its name says that there is none; the names are believed (%1 functions)</source>
+        <translation>eine Drehung hat eine Geschwindigkeit, wo ihr Name sagt, dass keine ist; den Namen wird geglaubt (%1 Funktionen)</translation>
+    </message>
+    <message>
+        <source>the rate of a pulsing iris falls where its name says that it gets faster; taken for the seconds of a pulse (%1 functions)</source>
+        <translation>die Rate einer pulsierenden Iris fällt, wo ihr Name sagt, dass sie schneller wird; genommen als Sekunden eines Pulses (%1 Funktionen)</translation>
+    </message>
+    <message>
         <source>a prism without facets; drawn as %1, by its name or as most are</source>
         <translation>ein Prisma ohne Facetten; gezeichnet mit %1, nach seinem Namen oder wie die meisten</translation>
     </message>

@@ -8,6 +8,7 @@
 #include "fixture/slot_meanings.h"
 #include "fixture/sweep.h"
 #include "fixture_files/gdtf/gdtf.h"
+#include "fixture_files/load_type.h"
 
 #include <gtest/gtest.h>
 
@@ -64,25 +65,27 @@ const std::vector<File>& files() {
     return all;
 }
 
-void for_each_mode(const std::function<void(const Driven&)>& use) {
-    for (const File& file : files())
-        for (std::size_t m = 0; m < file.type.modes.size(); ++m) {
-            const Mode& mode = file.type.modes[m];
-            Driven driven{
-                file.name,
-                file.type,
-                mode,
-                {.name = file.name, .type = &file.type, .mode = static_cast<int>(m), .addresses = {}},
-                {}};
-            int channel = 1;
-            for (const int bytes : mode.footprint) {
-                driven.patch.addresses.push_back({1 + (channel - 1) / 512, 1 + (channel - 1) % 512});
-                channel += bytes;
-            }
-            driven.rest.assign(level_count(mode), 0);
-            for (const Channel& one : mode.channels) driven.put(one, one.initial, driven.rest);
-            use(driven);
+void each_mode_of(const File& file, const std::function<void(const Driven&)>& use) {
+    for (std::size_t m = 0; m < file.type.modes.size(); ++m) {
+        const Mode& mode = file.type.modes[m];
+        Driven driven{file.name,
+                      file.type,
+                      mode,
+                      {.name = file.name, .type = &file.type, .mode = static_cast<int>(m), .addresses = {}},
+                      {}};
+        int channel = 1;
+        for (const int bytes : mode.footprint) {
+            driven.patch.addresses.push_back({1 + (channel - 1) / 512, 1 + (channel - 1) % 512});
+            channel += bytes;
         }
+        driven.rest.assign(level_count(mode), 0);
+        for (const Channel& one : mode.channels) driven.put(one, one.initial, driven.rest);
+        use(driven);
+    }
+}
+
+void for_each_mode(const std::function<void(const Driven&)>& use) {
+    for (const File& file : files()) each_mode_of(file, use);
 }
 
 // Whether a second channel moves the same part of the same beams.
@@ -276,6 +279,39 @@ TEST(truth_of_files, what_points_moves_while_all_else_rests) {
         }
     });
     EXPECT_GT(pointed, 200);
+    EXPECT_EQ(findings.text(), "");
+}
+
+// Of QLC+'s own definitions, where they are installed (qlcplus-data).
+TEST(truth_of_files, heads_of_qlc_follow_their_pan_while_all_else_rests) {
+    const std::filesystem::path installed = "/usr/share/qlcplus/fixtures";
+    if (!std::filesystem::exists(installed))
+        GTEST_SKIP() << "QLC+ definitions are not installed (qlcplus-data)";
+    Findings findings;
+    int heads = 0;
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(installed)) {
+        if (entry.path().extension() != ".qxf") continue;
+        Result<LoadedType> loaded = load_type(entry.path());
+        ASSERT_TRUE(loaded) << entry.path();
+        const File file{entry.path().filename().string(), std::move(loaded->type)};
+        each_mode_of(file, [&](const Driven& driven) {
+            for (const Channel& channel : driven.mode.channels) {
+                if (channel.functions.size() != 1 || channel.functions[0].meaning.role != Role::pan) continue;
+                const auto pan = [&](std::uint32_t raw) {
+                    std::vector<std::uint8_t> levels = driven.rest;
+                    driven.put(channel, raw, levels);
+                    const Targets targets = driven.at(levels);
+                    for (std::size_t a = 0; a < driven.mode.axes.size(); ++a)
+                        if (driven.mode.axes[a].node == channel.node && driven.mode.axes[a].pan)
+                            return targets.axes[a].spinning ? 0.0f : targets.axes[a].deg;
+                    return 0.0f;
+                };
+                ++heads;
+                if (pan(0) == pan(channel.max)) findings.add(driven.name() + channel.name);
+            }
+        });
+    }
+    EXPECT_GT(heads, 500);
     EXPECT_EQ(findings.text(), "");
 }
 

@@ -337,15 +337,13 @@ std::vector<std::string> believe_names(Type& type) {
         sentences);
     say(frosts,
         "a frost whose sets are named in per cent and state no value; the names are believed, and what "
-        "pulses "
-        "is drawn half in",
+        "pulses is drawn half in",
         sentences);
     say(stops, "a rotation has a speed where its name says that there is none; the names are believed",
         sentences);
     say(pulses,
         "the rate of a pulsing iris falls where its name says that it gets faster; taken for the seconds of "
-        "a "
-        "pulse",
+        "a pulse",
         sentences);
     return sentences;
 }

@@ -713,6 +713,14 @@ constexpr const char* kSentences[] = {
     QT_TRANSLATE_NOOP(
         "Sentence",
         "the focus is named far at its low end, which is near here; the names are believed (%1 functions)"),
+    QT_TRANSLATE_NOOP("Sentence", "a colour temperature whose sets are named in kelvin and state no value; "
+                                  "the names are believed (%1 functions)"),
+    QT_TRANSLATE_NOOP("Sentence", "a frost whose sets are named in per cent and state no value; the names "
+                                  "are believed, and what pulses is drawn half in (%1 functions)"),
+    QT_TRANSLATE_NOOP("Sentence", "a rotation has a speed where its name says that there is none; the names "
+                                  "are believed (%1 functions)"),
+    QT_TRANSLATE_NOOP("Sentence", "the rate of a pulsing iris falls where its name says that it gets faster; "
+                                  "taken for the seconds of a pulse (%1 functions)"),
     QT_TRANSLATE_NOOP("Sentence", "a prism without facets; drawn as %1, by its name or as most are"),
     QT_TRANSLATE_NOOP("Sentence", "there is no Symdef '%1'; nothing is drawn"),
     QT_TRANSLATE_NOOP("Sentence", "text '%1' is taken as a Source of type File"),
