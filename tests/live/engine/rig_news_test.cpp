@@ -114,7 +114,7 @@ TEST(RigNews, a_head_on_a_turntable_is_turned_with_it) {
     const LiveInput input(nullptr);
     ui::Link link;
     link.on_news = [] {};
-    RigNews(link).publish(*session, input, session->lit(), {}, 10);
+    RigNews(link).publish(*session, input, {}, session->lit(), {}, 10);
     const ui::RigNow rig = link.rig.take().value();
     ASSERT_EQ(session->show->fixtures[0].name, "Spot 1");
     EXPECT_NEAR(std::abs(rig.fixtures[0].turned[0].y), 1, 1e-4f) << "a quarter about Z";
