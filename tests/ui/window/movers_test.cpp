@@ -80,20 +80,20 @@ TEST(Movers, what_is_hung_copied_or_dropped_under_a_truss_that_flies_goes_with_i
     TrussDesk desk;
     ASSERT_TRUE(desk.actions.run("fly-on-hoists \"front 1\"").ok());
     const auto carried = [&] { return desk.app.show()->movers.at(0).fixtures; };
-    using Names = std::vector<std::string>;
-    ASSERT_EQ(carried(), (Names{"Lamp 1", "Lamp 3"}));
+    using Carried = std::vector<std::string>;
+    ASSERT_EQ(carried(), (Carried{"Lamp 1", "Lamp 3"}));
     const std::string flies = desk.document.text();
     desk.app.select({1});
     ASSERT_TRUE(desk.actions.run("hang \"front 2\"").ok());
-    EXPECT_EQ(carried(), (Names{"Lamp 1", "Lamp 3", "Lamp 2"}));
+    EXPECT_EQ(carried(), (Carried{"Lamp 1", "Lamp 3", "Lamp 2"}));
     desk.app.select({0});
     ASSERT_TRUE(desk.actions.run("hang back").ok());
-    EXPECT_EQ(carried(), (Names{"Lamp 3", "Lamp 2"})) << "it hangs elsewhere now";
+    EXPECT_EQ(carried(), (Carried{"Lamp 3", "Lamp 2"})) << "it hangs elsewhere now";
     ASSERT_TRUE(desk.edit.duplicate({1, 0, 0}).ok());
-    EXPECT_EQ(carried(), (Names{"Lamp 3", "Lamp 2"})) << "a copy of one that does not fly";
+    EXPECT_EQ(carried(), (Carried{"Lamp 3", "Lamp 2"})) << "a copy of one that does not fly";
     desk.app.select({2}); // Lamp 2
     ASSERT_TRUE(desk.edit.duplicate({1, 0, 0}).ok());
-    EXPECT_EQ(carried(), (Names{"Lamp 3", "Lamp 2", "Lamp 5"}));
+    EXPECT_EQ(carried(), (Carried{"Lamp 3", "Lamp 2", "Lamp 5"}));
     const fs::path file = fs::path(GHOST_SOURCE_DIR) / "assets/fixtures/Vari-Lite@VL2500_Spot.gdtf";
     ASSERT_TRUE(desk.edit.add(file, {-4, 0, 4.2f}).ok());
     EXPECT_EQ(carried().size(), 4u);
