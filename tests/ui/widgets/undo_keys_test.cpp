@@ -147,7 +147,7 @@ TEST(UndoKeys, a_number_that_is_stepped_by_its_arrow_gives_the_keys_back_to_the_
     option.frame = number->hasFrame();
     option.buttonSymbols = number->buttonSymbols();
     const QPointF arrow =
-        number->style()->subControlRect(QStyle::CC_SpinBox, &option, QStyle::SC_SpinBoxUp, number).center();
+        number->style()->subControlRect(QStyle::CC_SpinBox, &option, QStyle::SC_SpinBoxDown, number).center();
     const auto click = [&](QEvent::Type type, Qt::MouseButtons held) {
         QMouseEvent event(type, arrow, number->mapToGlobal(arrow), Qt::LeftButton, held, Qt::NoModifier);
         QCoreApplication::sendEvent(number, &event);

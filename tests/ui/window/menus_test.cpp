@@ -329,6 +329,9 @@ TEST(ContextMenu, a_look_is_recalled_renamed_updated_removed_and_becomes_a_cue) 
     EXPECT_TRUE(list->isPersistentEditorOpen(list->item(0)) || list->findChild<QLineEdit*>())
         << "where it stands";
     choose(context_menu(list, in.window, "looks"), "Remove");
+    EXPECT_EQ(list->count(), 1) << "a cue recalls it";
+    EXPECT_EQ(in.error_of("cue-remove 1"), "");
+    choose(context_menu(list, in.window, "looks"), "Remove");
     EXPECT_EQ(list->count(), 0);
     Q_EMIT list->customContextMenuRequested({5, 5});
     settle();
