@@ -118,7 +118,8 @@ TEST(PipelineCache, FilesOfOlderDriversGoAndNothingElse) {
     { const auto device = device_with(folder.path); }
     const fs::path file = file_in(folder.path);
     const std::string name = file.filename().string();
-    const fs::path older = folder.path / (name.substr(0, 10) + std::string(32, '0') + ".pipelines");
+    const fs::path older =
+        folder.path / (name.substr(0, name.rfind('-') + 1) + std::string(32, '0') + ".pipelines");
     const fs::path others = folder.path / ("ffff-ffff-" + std::string(32, '0') + ".pipelines");
     for (const fs::path& path : {older, others, folder.path / "notes.txt"}) std::ofstream(path) << "x";
     fs::remove(file);
