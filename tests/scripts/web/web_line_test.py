@@ -125,6 +125,7 @@ class Line(unittest.TestCase):
             self.assertLessEqual(self.page.value(count), 13)
             self.page.call("Page.reload")
             self.page.until(f"{LIVE} && {PRESSED % 'true'}")
+            self.page.until("document.querySelectorAll('.dot').length > 0")
             self.page.value("document.querySelector('ghost-picture button').click()")
             self.assertGreater(self.page.value(count), 13, "or the desk is no strobe")
         finally:
