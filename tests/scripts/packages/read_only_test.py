@@ -46,7 +46,7 @@ try:
     assert "baking" not in again, again
     run("render", show, "-o", home / "live.png", "--live", "--size", "64x36", "--at", "36", "--map-size", "64")
     assert not (show / ".ghost").exists()
-    caches = list((home / "cache/ghostlight").iterdir())
+    caches = [path for path in (home / "cache/ghostlight").iterdir() if path.name != "pipelines"]   # which are of no show
     assert len(caches) == 1, caches
     assert list(caches[0].glob("passes/*/manifest.json")) and (caches[0] / "distances/64/stage.json").exists(), list(caches[0].rglob("*"))
     print("kept in the user's cache:", sum(1 for path in caches[0].rglob("*") if path.is_file()), "files")
