@@ -63,7 +63,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
             look(merge, now);
         } else if (what == 5) {
             SyncPacket packet;
-            packet.source = sync_key(source);
+            packet.source = source;
             packet.universe = source.protocol == Protocol::artnet ? std::uint16_t{0} : universe;
             packet.sequence = byte[5];
             merge.feed(packet, now);

@@ -63,7 +63,8 @@ inline void feed_all(Intake& intake, Protocol protocol, Bytes input, std::size_t
         check_packet(protocol == Protocol::sacn ? parse_sacn(bytes, from)
                                                 : parse_artnet(bytes, from, artnet_offset),
                      bytes.size(), header);
-        (void)intake.take(bytes, {protocol, from, 0x0A000005, from & 1u, false, now});
+        (void)intake.take(bytes, {.protocol = protocol, .from = from, .to = 0x0A000005, .from_port = 0,
+                                  .interface_index = from & 1u, .own = false, .time = now});
         intake.tick(now);
     }
     check_bounds(intake, now);
