@@ -37,9 +37,6 @@ bool is_letter(const QKeyEvent& key) {
 } // namespace
 
 bool UndoKeys::eventFilter(QObject* object, QEvent* event) {
-    // A click on its text is the field's.
-    if (event->type() == QEvent::MouseButtonRelease)
-        if (QWidget* const number = alone(object)) Q_EMIT entered(number);
     if (event->type() != QEvent::ShortcutOverride && event->type() != QEvent::KeyPress) return false;
     const auto& key = *static_cast<const QKeyEvent*>(event);
     if (event->type() == QEvent::KeyPress) {

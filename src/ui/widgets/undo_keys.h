@@ -3,7 +3,7 @@
 // UndoKeys: undo and redo are the window's also where a field of one line has the focus (a number, an
 // editable list), which would take them for its own text, and so are letters and the space bar where that is
 // a number of a panel. It keeps them only while something is typed in it that was not entered. A number that
-// is entered, or stepped by its arrows, gives the keys back. Window thread.
+// is entered gives the keys back. Window thread.
 
 #include <QObject>
 
@@ -17,8 +17,7 @@ public:
     using QObject::QObject;
 
 Q_SIGNALS:
-    // Return in a number, or the mouse let go of its arrow, before the number has it; not in a table or a
-    // dialog.
+    // Return in a number, before the number has it; not in a table or a dialog.
     void entered(QWidget* field);
 
 protected:

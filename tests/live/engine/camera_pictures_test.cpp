@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Pictures for the strip of cameras: all of them while the stage rests, not more than one a second; while it
 // moves only for browsers, and rarely; none where nobody wants them.
-#include "live/engine/engine.h"
-#include "support/demo_copy.h"
+#include "live/engine/opened_engine.h"
 
 #include <gtest/gtest.h>
 
@@ -12,39 +11,20 @@
 namespace ghost::app {
 namespace {
 
-template <class F>
-bool within(double seconds, F&& holds) {
-    for (int i = 0; i < static_cast<int>(seconds * 50); ++i) {
-        if (holds()) return true;
-        std::this_thread::sleep_for(std::chrono::milliseconds(20));
-    }
-    return false;
-}
-
 TEST(CameraPictures, come_one_by_one_while_nothing_moves_and_rarely_while_it_does) {
-    ui::Link link;
-    link.on_news = [] {};
-    EngineOptions options;
-    options.listens = false;
-    options.session.quiet = true;
-    Engine engine(link, options);
-    ui::ViewRequest request;
-    request.show = DemoCopy::show().string();
-    request.number = 1;
-    request.camera.width = 0;
-    link.request.put(request);
-    std::optional<ui::Opened> opened;
-    ASSERT_TRUE(within(60, [&] { return (opened = link.opened.take()).has_value(); }));
+    OpenedEngine demo;
+    ASSERT_TRUE(demo.opened);
+    ui::Link& link = demo.link;
+    ui::ViewRequest& request = demo.request;
+    std::optional<ui::Opened>& opened = demo.opened;
     const std::size_t count = opened->show->cameras.size();
     ASSERT_GE(count, 2u);
     const auto ask = [&](auto change) {
         change(request);
-        ++request.number;
-        link.request.put(request);
-        link.wake.raise();
+        demo.send();
     };
     const auto settles = [&] {
-        return within(120, [&] {
+        return comes_within(120, [&] {
             const auto settled = link.settled.take();
             return settled && *settled == request.number;
         });
@@ -65,7 +45,7 @@ TEST(CameraPictures, come_one_by_one_while_nothing_moves_and_rarely_while_it_doe
     ask([](ui::ViewRequest& wanted) { wanted.wants_camera_pictures = true; });
     std::vector<ui::NamedPicture> pictures;
     std::size_t seen = 0;
-    ASSERT_TRUE(within(60 + 3 * static_cast<double>(count), [&] {
+    ASSERT_TRUE(comes_within(60 + 3 * static_cast<double>(count), [&] {
         auto news = link.camera_pictures.take();
         if (!news) return false;
         // Starts are a second apart; ends may be nearer on a busy machine.
@@ -81,7 +61,7 @@ TEST(CameraPictures, come_one_by_one_while_nothing_moves_and_rarely_while_it_doe
     }
     EXPECT_NE(pictures[0].image->samples, pictures[1].image->samples);
     // Distance maps that are ready late light the picture once more, and the small ones with it.
-    EXPECT_TRUE(within(60, [&] {
+    EXPECT_TRUE(comes_within(60, [&] {
         (void)link.camera_pictures.take();
         std::this_thread::sleep_for(std::chrono::milliseconds(2500));
         return !link.camera_pictures.take();
@@ -94,14 +74,15 @@ TEST(CameraPictures, come_one_by_one_while_nothing_moves_and_rarely_while_it_doe
     std::this_thread::sleep_for(std::chrono::milliseconds(3000));
     EXPECT_FALSE(link.camera_pictures.take()) << "while the recording plays";
     link.wants_small_pictures = true;
-    EXPECT_TRUE(within(60, [&] { return link.camera_pictures.take().has_value(); }))
+    EXPECT_TRUE(comes_within(60, [&] { return link.camera_pictures.take().has_value(); }))
         << "browsers do not wait for a rest";
     const auto first = std::chrono::steady_clock::now();
-    EXPECT_TRUE(within(60, [&] { return link.camera_pictures.take().has_value(); }));
+    EXPECT_TRUE(comes_within(60, [&] { return link.camera_pictures.take().has_value(); }));
     EXPECT_GE(std::chrono::steady_clock::now() - first, std::chrono::seconds(4)) << "rarely";
     link.wants_small_pictures = false;
     ask([](ui::ViewRequest& wanted) { wanted.frozen = true; });
-    EXPECT_TRUE(within(60, [&] { return link.camera_pictures.take().has_value(); })) << "as it rests now";
+    EXPECT_TRUE(comes_within(60, [&] { return link.camera_pictures.take().has_value(); }))
+        << "as it rests now";
 }
 
 } // namespace

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // A head that comes or goes: until the show is read anew, hands hold the same heads in what is drawn.
-#include "live/engine/engine.h"
+#include "live/engine/opened_engine.h"
 #include "live/session/applied_look.h"
 #include "show_file/show_edit.h"
-#include "support/demo_copy.h"
 #include "support/must.h"
 
 #include "disk/files.h"
@@ -16,35 +15,16 @@
 namespace ghost::app {
 namespace {
 
-template <class F>
-bool comes(F&& holds) {
-    for (int i = 0; i < 6000; ++i) {
-        if (holds()) return true;
-        std::this_thread::sleep_for(std::chrono::milliseconds(10));
-    }
-    return false;
-}
-
 TEST(EditRead, hands_light_the_same_heads_until_the_show_is_read) {
-    ui::Link link;
-    link.on_news = [] {};
-    EngineOptions options;
-    options.listens = false;
-    options.session.quiet = true;
-    Engine engine(link, options);
-    ui::ViewRequest request;
-    request.show = DemoCopy::show().string();
-    request.number = 1;
-    request.camera.width = 0;
-    link.request.put(request);
-    std::optional<ui::Opened> opened;
-    ASSERT_TRUE(comes([&] { return (opened = link.opened.take()).has_value(); }));
+    OpenedEngine demo;
+    ASSERT_TRUE(demo.opened);
+    ui::Link& link = demo.link;
+    ui::ViewRequest& request = demo.request;
+    std::optional<ui::Opened>& opened = demo.opened;
     const std::shared_ptr<const scene::Show> before = opened->show;
     const std::size_t count = before->fixtures.size();
     ASSERT_GT(count, 3u);
-    request.camera = before->cameras.front();
-    request.camera.width = 64;
-    request.camera.height = 36;
+    demo.look_from_first_camera(64, 36);
     request.input = ui::Input::desk; // that nobody hears
     request.counted = before;
     const auto light = [&](std::size_t fixtures, std::size_t one) {
@@ -58,7 +38,7 @@ TEST(EditRead, hands_light_the_same_heads_until_the_show_is_read) {
     const auto are_right = [](const ui::RigNow& rig) {
         return rig.fixtures[1].dimmer > 0.99f && rig.fixtures[2].dimmer < 0.01f;
     };
-    ASSERT_TRUE(comes([&] {
+    ASSERT_TRUE(comes_within(60, [&] {
         const auto rig = link.rig.take();
         return rig && are_right(*rig);
     }));
@@ -73,7 +53,7 @@ TEST(EditRead, hands_light_the_same_heads_until_the_show_is_read) {
     request.number = 3;
     link.request.put(request);
     int seen = 0, wrong = 0;
-    ASSERT_TRUE(comes([&] {
+    ASSERT_TRUE(comes_within(60, [&] {
         if (const auto rig = link.rig.take(); rig && rig->fixtures.size() == count) {
             ++seen;
             wrong += are_right(*rig) ? 0 : 1;
@@ -83,7 +63,7 @@ TEST(EditRead, hands_light_the_same_heads_until_the_show_is_read) {
     ASSERT_EQ(opened->show->fixtures.size(), count + 1);
     EXPECT_GT(seen, 3);
     EXPECT_EQ(wrong, 0) << "of " << seen;
-    EXPECT_TRUE(comes([&] {
+    EXPECT_TRUE(comes_within(60, [&] {
         const auto rig = link.rig.take();
         return rig && rig->fixtures.size() == count + 1 && rig->fixtures[1].dimmer < 0.01f &&
                rig->fixtures[2].dimmer > 0.99f;

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A device that is lost while the window draws: said, and the picture comes back with all that hands did. The
 // loss is made here, by a vkQueueSubmit2 that stands before Vulkan's own.
-#include "live/engine/engine.h"
-#include "support/demo_copy.h"
+#include "live/engine/opened_engine.h"
 
 #include <cstdlib>
 #include <dlfcn.h>
@@ -30,38 +29,19 @@ extern "C" VKAPI_ATTR VkResult VKAPI_CALL vkQueueSubmit2(VkQueue queue, std::uin
 namespace ghost::app {
 namespace {
 
-template <class F>
-bool within_a_minute(F&& holds) {
-    for (int i = 0; i < 3000; ++i) {
-        if (holds()) return true;
-        std::this_thread::sleep_for(std::chrono::milliseconds(20));
-    }
-    return false;
-}
-
 TEST(LostDevice, the_picture_comes_back_with_what_hands_did) {
-    ui::Link link;
-    link.on_news = [] {};
-    EngineOptions options;
-    options.listens = false;
-    options.session.quiet = true;
-    Engine engine(link, options);
-    ui::ViewRequest request;
-    request.show = DemoCopy::show().string();
-    request.number = 1;
-    request.camera.width = 0;
-    link.request.put(request);
-    std::optional<ui::Opened> opened;
-    ASSERT_TRUE(within_a_minute([&] { return (opened = link.opened.take()).has_value(); }));
-    request.camera = opened->show->cameras.front();
-    request.camera.width = 64;
-    request.camera.height = 36;
+    OpenedEngine demo;
+    ASSERT_TRUE(demo.opened);
+    ui::Link& link = demo.link;
+    ui::ViewRequest& request = demo.request;
+    std::optional<ui::Opened>& opened = demo.opened;
+    demo.look_from_first_camera(64, 36);
     request.frozen = true;
     request.look.fixtures[0] = {.intensity = 1.0f, .tilt_deg = 30.0f};
     request.number = 2;
     link.request.put(request);
     std::optional<ui::Picture> before, after;
-    ASSERT_TRUE(within_a_minute([&] {
+    ASSERT_TRUE(comes_within(60, [&] {
         const auto settled = link.settled.take(); // before its picture, which stands there by then
         if (auto picture = link.picture.take()) before = std::move(picture);
         return settled && *settled == 2;
@@ -73,13 +53,13 @@ TEST(LostDevice, the_picture_comes_back_with_what_hands_did) {
     request.black_out = true; // something is to be drawn
     request.number = 3;
     link.request.put(request);
-    ASSERT_TRUE(within_a_minute([&] { return (opened = link.opened.take()).has_value(); }));
+    ASSERT_TRUE(comes_within(60, [&] { return (opened = link.opened.take()).has_value(); }));
     EXPECT_TRUE(opened->is_edit) << "camera, look and undo list stay";
     EXPECT_EQ(losses.load(), 0);
     request.black_out = false;
     request.number = 4;
     link.request.put(request);
-    ASSERT_TRUE(within_a_minute([&] {
+    ASSERT_TRUE(comes_within(60, [&] {
         const auto settled = link.settled.take();
         if (auto picture = link.picture.take()) after = std::move(picture);
         return settled && *settled == 4;

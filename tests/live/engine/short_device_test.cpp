@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A device whose memory is at its end while the window draws: said, and drawn with less. The shortage is made
 // here, by a vkAllocateMemory that stands before Vulkan's own.
-#include "live/engine/engine.h"
-#include "support/demo_copy.h"
+#include "live/engine/opened_engine.h"
 
 #include <dlfcn.h>
 #include <gtest/gtest.h>
@@ -31,39 +30,20 @@ extern "C" VKAPI_ATTR VkResult VKAPI_CALL vkAllocateMemory(VkDevice device, cons
 namespace ghost::app {
 namespace {
 
-template <class F>
-bool in_time(F&& holds) {
-    for (int i = 0; i < 3000; ++i) {
-        if (holds()) return true;
-        std::this_thread::sleep_for(std::chrono::milliseconds(20));
-    }
-    return false;
-}
-
 TEST(ShortDevice, it_is_drawn_with_less_and_nothing_is_lost) {
-    ui::Link link;
-    link.on_news = [] {};
-    EngineOptions options;
-    options.listens = false;
-    options.session.quiet = true;
-    Engine engine(link, options);
-    ui::ViewRequest request;
-    request.show = DemoCopy::show().string();
-    request.number = 1;
-    request.camera.width = 0;
-    link.request.put(request);
-    std::optional<ui::Opened> opened;
-    ASSERT_TRUE(in_time([&] { return (opened = link.opened.take()).has_value(); }));
-    request.camera = opened->show->cameras.front();
-    request.camera.width = 64;
-    request.camera.height = 36;
+    OpenedEngine demo;
+    ASSERT_TRUE(demo.opened);
+    ui::Link& link = demo.link;
+    ui::ViewRequest& request = demo.request;
+    std::optional<ui::Opened>& opened = demo.opened;
+    demo.look_from_first_camera(64, 36);
     request.frozen = true;
     request.look.fixtures[0] = {.intensity = 1.0f, .tilt_deg = 30.0f};
     const auto settled_picture = [&](std::uint64_t number) {
         std::optional<ui::Picture> last;
         request.number = number;
         link.request.put(request);
-        EXPECT_TRUE(in_time([&] {
+        EXPECT_TRUE(comes_within(60, [&] {
             const auto settled = link.settled.take();
             if (auto picture = link.picture.take()) last = std::move(picture);
             return settled && *settled == number;
@@ -82,7 +62,7 @@ TEST(ShortDevice, it_is_drawn_with_less_and_nothing_is_lost) {
     ASSERT_TRUE(after && after->image);
     EXPECT_EQ(after->image->width, 128);
     EXPECT_GT(*std::max_element(after->image->samples.begin(), after->image->samples.begin() + 3000), 0);
-    ASSERT_TRUE(in_time([&] { return (opened = link.opened.take()).has_value(); }));
+    ASSERT_TRUE(comes_within(60, [&] { return (opened = link.opened.take()).has_value(); }));
     EXPECT_TRUE(opened->is_edit) << "camera, look and undo list stay";
     const auto messages = link.messages.take();
     ASSERT_TRUE(messages);

@@ -1,25 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // Pictures from elsewhere for browsers: side views with what is measured in them, and small ones of looks; a
 // processor draws them while the show rests.
-#include "live/engine/engine.h"
-#include "support/demo_copy.h"
+#include "live/engine/opened_engine.h"
 
 #include <gtest/gtest.h>
 
 #include <chrono>
-#include <thread>
 
 namespace ghost::app {
 namespace {
-
-template <class F>
-bool comes_within(double seconds, F&& holds) {
-    for (int i = 0; i < static_cast<int>(seconds * 50); ++i) {
-        if (holds()) return true;
-        std::this_thread::sleep_for(std::chrono::milliseconds(20));
-    }
-    return false;
-}
 
 float brightness(const image::Image8& image) {
     double sum = 0;
@@ -29,30 +18,14 @@ float brightness(const image::Image8& image) {
 }
 
 // An engine with the demo at a moment of light that stands still.
-class StillDemo {
+class StillDemo : public OpenedEngine {
 public:
     StillDemo() {
-        link.on_news = [] {};
-        EngineOptions options;
-        options.listens = false;
-        options.session.quiet = true;
-        engine = std::make_unique<Engine>(link, options);
-        request.show = DemoCopy::show().string();
-        request.camera.width = 0;
-        send();
-        EXPECT_TRUE(comes_within(60, [&] { return (opened = link.opened.take()).has_value(); }));
-        request.camera = opened->show->cameras.front();
-        request.camera.width = 96;
-        request.camera.height = 54;
+        look_from_first_camera(96, 54);
         request.transport.seeks = 1;
         request.transport.at_s = 36;
         request.frozen = true;
         send();
-    }
-    void send() {
-        ++request.number;
-        link.request.put(request);
-        link.wake.raise();
     }
     void want(std::vector<ui::SideView> views) {
         link.side_views.put(std::move(views));
@@ -67,11 +40,6 @@ public:
         }));
         return newest;
     }
-
-    ui::Link link;
-    ui::ViewRequest request;
-    std::optional<ui::Opened> opened;
-    std::unique_ptr<Engine> engine; // goes before the link
 };
 
 // One for all tests: to open the demo takes longer than any of them.

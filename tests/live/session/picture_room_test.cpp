@@ -2,7 +2,7 @@
 // A window that asks for more pixels than memory holds gets fewer, says so once, and goes on.
 #include "live/session/picture_room.h"
 
-#include "live/engine/engine.h"
+#include "live/engine/opened_engine.h"
 #include "support/demo_copy.h"
 
 #include <gtest/gtest.h>
@@ -74,30 +74,14 @@ TEST(PictureRoom, a_pixel_takes_what_is_said) {
     }
 }
 
-template <class F>
-bool within_a_minute(F&& holds) {
-    for (int i = 0; i < 3000; ++i) {
-        if (holds()) return true;
-        std::this_thread::sleep_for(std::chrono::milliseconds(20));
-    }
-    return false;
-}
-
 TEST(PictureRoom, a_window_of_8k_on_a_device_that_does_not_hold_it) {
-    ui::Link link;
-    link.on_news = [] {};
-    EngineOptions options;
-    options.listens = false;
-    options.session.quiet = true;
+    EngineOptions options = quiet_engine();
     options.session.memory_limit_bytes = 320 * kMB;
-    Engine engine(link, options);
-    ui::ViewRequest request;
-    request.show = DemoCopy::show().string();
-    request.number = 1;
-    request.camera.width = 0;
-    link.request.put(request);
-    std::optional<ui::Opened> opened;
-    ASSERT_TRUE(within_a_minute([&] { return (opened = link.opened.take()).has_value(); }));
+    OpenedEngine demo(options);
+    ASSERT_TRUE(demo.opened);
+    ui::Link& link = demo.link;
+    ui::ViewRequest& request = demo.request;
+    std::optional<ui::Opened>& opened = demo.opened;
     request.camera = opened->show->cameras.front();
     request.frozen = true;
     std::optional<ui::Picture> picture;
@@ -106,7 +90,7 @@ TEST(PictureRoom, a_window_of_8k_on_a_device_that_does_not_hold_it) {
         request.camera.height = height;
         ++request.number;
         link.request.put(request);
-        return within_a_minute([&] {
+        return comes_within(60, [&] {
             const auto settled = link.settled.take(); // before its picture, which stands there by then
             if (auto newest = link.picture.take()) picture = std::move(newest);
             return settled && *settled == request.number;
@@ -119,7 +103,7 @@ TEST(PictureRoom, a_window_of_8k_on_a_device_that_does_not_hold_it) {
     EXPECT_NEAR(picture->image->width * 9.0 / 16.0, picture->image->height, 1.0);
     EXPECT_FALSE(picture->is_coarse) << "it rests";
     std::optional<std::vector<Message>> messages;
-    ASSERT_TRUE(within_a_minute([&] { return (messages = link.messages.take()).has_value(); }));
+    ASSERT_TRUE(comes_within(60, [&] { return (messages = link.messages.take()).has_value(); }));
     const auto said = [&] {
         return std::count_if(messages->begin(), messages->end(), [](const Message& message) {
             return message.what.find("memory is short for a picture of 7680x4320") != std::string::npos;

@@ -12,10 +12,7 @@
 #include <QDoubleSpinBox>
 #include <QKeyEvent>
 #include <QLineEdit>
-#include <QMouseEvent>
 #include <QSlider>
-#include <QStyle>
-#include <QStyleOptionSpinBox>
 
 namespace ghost::ui {
 namespace {
@@ -125,39 +122,6 @@ TEST(UndoKeys, a_number_that_is_entered_gives_the_keys_back_to_the_picture) {
     settle();
     EXPECT_EQ(window.focusWidget(), window.centralWidget());
     EXPECT_TRUE(window.app().look().fixtures.contains(0)) << "and it is taken";
-}
-
-TEST(UndoKeys, a_number_that_is_stepped_by_its_arrow_gives_the_keys_back_to_the_picture) {
-    Link link;
-    Window window(link, {.remembers = false, .width = 900, .height = 600});
-    window.show();
-    link.opened.put(four_lamps());
-    link.rig.put(four_lit());
-    link.on_news();
-    settle();
-    window.app().select({0});
-    settle();
-    auto* const number = window.findChild<QDockWidget*>("programmer")->findChild<QAbstractSpinBox*>();
-    ASSERT_TRUE(number);
-    number->setFocus(); // as the click does
-    QStyleOptionSpinBox option;
-    option.initFrom(number);
-    option.subControls = QStyle::SC_All;
-    option.stepEnabled = QAbstractSpinBox::StepUpEnabled | QAbstractSpinBox::StepDownEnabled;
-    option.frame = number->hasFrame();
-    option.buttonSymbols = number->buttonSymbols();
-    const QPointF arrow =
-        number->style()->subControlRect(QStyle::CC_SpinBox, &option, QStyle::SC_SpinBoxDown, number).center();
-    const auto click = [&](QEvent::Type type, Qt::MouseButtons held) {
-        QMouseEvent event(type, arrow, number->mapToGlobal(arrow), Qt::LeftButton, held, Qt::NoModifier);
-        QCoreApplication::sendEvent(number, &event);
-    };
-    click(QEvent::MouseButtonPress, Qt::LeftButton);
-    EXPECT_EQ(window.focusWidget(), number) << "it may go on stepping";
-    click(QEvent::MouseButtonRelease, Qt::NoButton);
-    settle();
-    EXPECT_EQ(window.focusWidget(), window.centralWidget());
-    EXPECT_TRUE(window.app().look().fixtures.contains(0)) << "and it was stepped";
 }
 
 } // namespace
