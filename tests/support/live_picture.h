@@ -19,6 +19,7 @@
 #include <cmath>
 #include <glm/gtc/packing.hpp>
 #include <gtest/gtest.h>
+#include <memory>
 #include <string>
 #include <thread>
 #include <vector>
@@ -71,7 +72,7 @@ struct LiveScene {
     const shared::Gobos& gobos;
     const scene::DistanceMaps& maps;
     render::Settings settings;
-    const scene::BounceVolumes* bounced = nullptr; // bounced light beside that of the lamps, or none
+    std::shared_ptr<const scene::BounceVolumes> bounced; // bounced light beside that of the lamps, or none
 };
 
 // Drawn factor times as large, then averaged.

@@ -30,7 +30,7 @@ void make_lux_light(Session& session) {
         *session.device, session.live->g_buffer(), session.live->distances(), session.gobos.images,
         static_cast<int>(session.lit().lights.size()), settings);
     session.lux_light->set_flies(session.flies);
-    session.lux_light->set_room_light(session.bounced.get());
+    session.lux_light->set_room_light(session.bounced);
 }
 
 } // namespace

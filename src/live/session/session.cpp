@@ -256,7 +256,7 @@ void Session::on_lights(const std::function<void(render::Relighter&)>& what) con
 }
 
 void Session::take_bounced() {
-    on_lights([&](render::Relighter& one) { one.set_room_light(bounced.get()); });
+    on_lights([&](render::Relighter& one) { one.set_room_light(bounced); });
 }
 
 // Memory holds both pictures, and what a relighter has whatever its picture's size.
@@ -317,7 +317,7 @@ void Session::look_from(const scene::Camera& from, bool goes_on, bool coarse) {
         else
             one.touch();
         one.set_flies(flies);
-        if (!stays) one.set_room_light(bounced.get());
+        if (!stays) one.set_room_light(bounced);
     });
     use_coarse_light(coarse);
     relighter->set_tone(options.tone);
@@ -337,7 +337,7 @@ void Session::use_coarse_light(bool coarse) {
     }
     relighter->set_tone(options.tone);
     relighter->set_flies(flies);
-    if (bounced) relighter->set_room_light(bounced.get());
+    if (bounced) relighter->set_room_light(bounced);
 }
 
 void Session::drop_parked() {

@@ -5,6 +5,7 @@
 #include "render/pixels/develop.h"
 #include "render/pixels/fold.h"
 #include "render/pixels/glare.h"
+#include "render/pixels/room_light.h"
 #include "render/pixels/spread.h"
 #include "render/pixels/sum.h"
 #include "render/pixels/surfaces.h"
@@ -33,6 +34,12 @@ void light_passes(const PassSurfaces&, const std::vector<MarkedLight>&, const Pl
     CHECK(false);
 }
 void light_stage(const LiveSurfaces&, const std::vector<MarkedLight>&, const Plane&) {
+    CHECK(false);
+}
+void sum_glow(const RoomPlanes&, GlowSlices&) {
+    CHECK(false);
+}
+void add_room_light(const RoomPlanes&, const GlowSlices&, const Plane&) {
     CHECK(false);
 }
 void glare_down(const Plane&, const Plane&, float, bool) {

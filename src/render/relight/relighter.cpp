@@ -162,14 +162,14 @@ void Relighter::set_air(const shared::Air& air) {
     draw_anew();
 }
 
-void Relighter::set_room_light(const scene::BounceVolumes* volumes) {
+void Relighter::set_room_light(std::shared_ptr<const scene::BounceVolumes> volumes) {
     if (volumes && !RoomLight::beyond_device(device_, *volumes).empty()) volumes = nullptr;
     if (!g_buffer_ || (!volumes && !room_light_)) return;
     if (!volumes)
         room_light_.reset();
     else {
         if (!room_light_) room_light_ = std::make_unique<RoomLight>(device_);
-        room_light_->set(*volumes);
+        room_light_->set(std::move(volumes), room_on_processor());
     }
     tree_.invalidate_frame(); // kept images know nothing of it
 }

@@ -139,7 +139,7 @@ public:
     void set_slides(const std::vector<shared::SlidePicture>& slides);
     // Bounced light of a free camera, from the next frame on; null, or beyond the device's limits
     // (RoomLight::beyond_device): none. Its glow is of an eye.
-    void set_room_light(const scene::BounceVolumes* volumes);
+    void set_room_light(std::shared_ptr<const scene::BounceVolumes> volumes);
     // The haze moved. Cheap where it is even.
     void set_air(const shared::Air& air);
 
@@ -226,6 +226,8 @@ private:
     void on_all(const std::function<void(LightPainter&)>& what);
     void finish_frame(const scene::FrameLights& lit);
     void add_to_frame(const scene::FrameLights& lit);
+    bool room_on_processor() const; // of a free camera
+    void add_room_light();
     void develop();
     const Fragments& seen() const { return g_buffer_ ? g_buffer_->fragments() : passes_.fragments; }
     const Fragments& fragments() const { return coarse_ ? coarse_->fragments() : seen(); } // lights fall on

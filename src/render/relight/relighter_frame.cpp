@@ -4,6 +4,7 @@
 #include "base/check.h"
 #include "render/pixels/develop.h"
 #include "render/pixels/fold.h"
+#include "render/pixels/room_light.h"
 #include "render/pixels/spread.h"
 #include "render/pixels/sum.h"
 #include "render/pixels/surfaces.h"
@@ -16,6 +17,7 @@
 #include "shared/g_buffer.h"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 
 namespace ghost::render {
@@ -182,9 +184,28 @@ void Relighter::finish_frame(const scene::FrameLights& lit) {
         develop();
 }
 
+bool Relighter::room_on_processor() const {
+    const std::array<const gpu::Texture*, 3> surfaces{&g_buffer_->normals(), &g_buffer_->diffuse(),
+                                                      &g_buffer_->specular()};
+    return on_processor_ && std::all_of(surfaces.begin(), surfaces.end(), [](const gpu::Texture* texture) {
+               return texture->mapped() != nullptr;
+           });
+}
+
+void Relighter::add_room_light() {
+    if (!room_on_processor()) {
+        room_light_->record(commands_, *g_buffer_, settings_.illuminance, frame_);
+        return;
+    }
+    const RoomPlanes planes = room_light_->planes(*g_buffer_, settings_.illuminance);
+    if (!settings_.illuminance) step_on_processor("glow", [&] { sum_glow(planes, room_light_->glow()); });
+    step_on_processor("room light",
+                      [&] { ghost::render::add_room_light(planes, room_light_->glow(), plane_of(frame_)); });
+}
+
 void Relighter::add_to_frame(const scene::FrameLights& lit) {
     const Fragments& f = seen();
-    if (room_light_) room_light_->record(commands_, *g_buffer_, settings_.illuminance, frame_);
+    if (room_light_) add_room_light();
     // Illuminance is what falls on a surface.
     if (!lit.walls.empty() && !settings_.illuminance) {
         commands_.begin_span("walls");

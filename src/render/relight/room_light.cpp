@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render/relight/room_light.h"
 
+#include "render/relight/planes.h"
 #include "shaders/glow.h"
 #include "shaders/room_light.h"
 
@@ -56,24 +57,24 @@ void RoomLight::upload(const scene::BounceVolume& volume, const gpu::Texture& te
         uploads_.add(texture, layer, 0, &volume.texels[layer * layer_texels], sizeof volume.texels[0]);
 }
 
-void RoomLight::set(const scene::BounceVolumes& volumes) {
+void RoomLight::set(std::shared_ptr<const scene::BounceVolumes> volumes, bool on_processor) {
+    volumes_ = std::move(volumes);
+    if (on_processor) return;
     const std::array<std::pair<const scene::BounceVolume&, gpu::Texture&>, 3> all{
-        {{volumes.surfaces, surfaces_}, {volumes.air, air_}, {volumes.glow, glow_}}};
+        {{volumes_->surfaces, surfaces_}, {volumes_->air, air_}, {volumes_->glow, glow_}}};
     // All of them before anything waits to be copied: memory may end at each.
     for (const auto& [volume, texture] : all) make(volume, texture);
     for (const auto& [volume, texture] : all) upload(volume, texture);
     uploads_.finish();
-    push_.low_m = volumes.low_m;
-    push_.surfel_m = volumes.surfel_m;
-    push_.surfels = glm::vec3(volumes.surfaces.size);
-    push_.cell_m = volumes.cell_m;
-    push_.cells = glm::vec3(volumes.air.size);
 }
 
-void RoomLight::record(gpu::Commands& commands, const GBuffer& g_buffer, bool as_lux,
-                       const gpu::Texture& frame) {
-    const Fragments& f = g_buffer.fragments();
-    shared::RoomLightPush push = push_;
+shared::RoomLightPush RoomLight::push_of(const Fragments& f, bool as_lux) const {
+    shared::RoomLightPush push{};
+    push.low_m = volumes_->low_m;
+    push.surfel_m = volumes_->surfel_m;
+    push.surfels = glm::vec3(volumes_->surfaces.size);
+    push.cell_m = volumes_->cell_m;
+    push.cells = glm::vec3(volumes_->air.size);
     const glm::vec3 high_m = push.low_m + push.cells * push.cell_m;
     const glm::vec3 outside = glm::max(glm::max(push.low_m - f.eye_m, f.eye_m - high_m), glm::vec3(0));
     push.near_m = glm::length(outside);
@@ -85,6 +86,27 @@ void RoomLight::record(gpu::Commands& commands, const GBuffer& g_buffer, bool as
     push.glow_width = (f.width + shared::kGlowStep - 1) / shared::kGlowStep + 1;
     push.glow_height = (f.height + shared::kGlowStep - 1) / shared::kGlowStep + 1;
     push.as_lux = as_lux ? 1 : 0;
+    return push;
+}
+
+RoomPlanes RoomLight::planes(const GBuffer& g_buffer, bool as_lux) const {
+    const Fragments& f = g_buffer.fragments();
+    RoomPlanes planes{.view = f.camera,
+                      .room = push_of(f, as_lux),
+                      .volumes = volumes_.get(),
+                      .places = plane_of(f.places),
+                      .normals = plane_of(g_buffer.normals()),
+                      .diffuse = plane_of(g_buffer.diffuse()),
+                      .specular = plane_of(g_buffer.specular()),
+                      .edges = plane_of(f.edges)};
+    planes.room.edges = f.edge_count;
+    return planes;
+}
+
+void RoomLight::record(gpu::Commands& commands, const GBuffer& g_buffer, bool as_lux,
+                       const gpu::Texture& frame) {
+    const Fragments& f = g_buffer.fragments();
+    shared::RoomLightPush push = push_of(f, as_lux);
     const gpu::TextureShape& before = slices_.shape();
     if (slices_.bytes() == 0 || before.width != push.glow_width || before.height != push.glow_height)
         slices_ = gpu::Texture(device_, {push.glow_width, push.glow_height, shared::kMostGlowSlices, 1,
@@ -119,7 +141,12 @@ void RoomLight::record(gpu::Commands& commands, const GBuffer& g_buffer, bool as
 }
 
 std::uint64_t RoomLight::memory_bytes() const {
-    return surfaces_.bytes() + air_.bytes() + glow_.bytes() + slices_.bytes();
+    std::size_t texels = glow_slices_.capacity();
+    if (volumes_)
+        texels +=
+            volumes_->surfaces.texels.size() + volumes_->air.texels.size() + volumes_->glow.texels.size();
+    return surfaces_.bytes() + air_.bytes() + glow_.bytes() + slices_.bytes() +
+           sizeof glow_slices_[0] * texels;
 }
 
 } // namespace ghost::render

@@ -11,9 +11,11 @@
 #include "gpu/uploads.h"
 #include "render/geometry/fragments.h"
 #include "render/geometry/g_buffer.h"
+#include "render/pixels/room_light.h"
 #include "shared/room_light.h"
 
 #include <cstdint>
+#include <memory>
 #include <string>
 
 namespace ghost::render {
@@ -24,14 +26,19 @@ public:
 
     // What they need and this device has not: "pictures of ..., and this device has ..."; "" where it fits.
     static std::string beyond_device(const gpu::Device& device, const scene::BounceVolumes& volumes);
-    // Of volumes that fit. From the next record on; the glow is that of an eye.
-    void set(const scene::BounceVolumes& volumes);
+    // Of volumes that fit. From the next picture on; the glow is that of an eye. on_processor: for planes(),
+    // else for record().
+    void set(std::shared_ptr<const scene::BounceVolumes> volumes, bool on_processor);
     // as_lux: adds what falls on surfaces instead of what they show.
     void record(gpu::Commands& commands, const GBuffer& g_buffer, bool as_lux, const gpu::Texture& frame);
+    // The same for the steps of render/pixels; of textures that lie in the processor's memory.
+    RoomPlanes planes(const GBuffer& g_buffer, bool as_lux) const;
+    GlowSlices& glow() { return glow_slices_; }
 
     std::uint64_t memory_bytes() const;
 
 private:
+    shared::RoomLightPush push_of(const Fragments& fragments, bool as_lux) const;
     void make(const scene::BounceVolume& volume, gpu::Texture& texture) const;
     void upload(const scene::BounceVolume& volume, const gpu::Texture& texture);
 
@@ -39,7 +46,8 @@ private:
     gpu::LateProgram glow_program_, program_;
     gpu::Uploads uploads_;
     gpu::Texture surfaces_, air_, glow_, slices_;
-    shared::RoomLightPush push_{};
+    std::shared_ptr<const scene::BounceVolumes> volumes_;
+    GlowSlices glow_slices_; // of planes()
 };
 
 } // namespace ghost::render

@@ -113,12 +113,12 @@ TEST(BounceLight, a_room_beyond_the_device_is_said_and_the_picture_goes_on_witho
         volume->size = {2, 2, 5};
         volume->texels.resize(20);
     }
-    session->relighter->set_room_light(&volumes);
+    session->relighter->set_room_light(std::make_shared<const scene::BounceVolumes>(volumes));
     EXPECT_EQ(drawn(*session), without);
     const std::uint64_t bytes = session->relighter->picture_bytes();
     for (scene::BounceVolume* volume : {&volumes.surfaces, &volumes.air, &volumes.glow})
         volume->texels.resize(16);
-    session->relighter->set_room_light(&volumes);
+    session->relighter->set_room_light(std::make_shared<const scene::BounceVolumes>(volumes));
     EXPECT_GT(session->relighter->picture_bytes(), bytes) << "four layers are those that it has";
 }
 

@@ -94,7 +94,7 @@ TEST_P(BounceReference, TheSolverSeesIt) {
     live.settings.haze = scene.haze;
     const DisplayFigures direct = compare_displayed(scene, live_picture(live, kSupersample));
     live.settings.haze.extinction_per_m = solver.air().extinction_per_m;
-    live.bounced = &volumes;
+    live.bounced = std::make_shared<const scene::BounceVolumes>(std::move(volumes));
     const DisplayFigures found = compare_displayed(scene, live_picture(live, kSupersample));
     std::printf("%s: %.3f of the light, %.1f dB; without bounces %.3f, %.1f dB\n", reference_.name,
                 found.mean_ratio, found.psnr_db, direct.mean_ratio, direct.psnr_db);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The steps of render/pixels against the shaders of the same names: equal pictures, by less work of the
 // device.
+#include "bounce/bounce_volumes.h"
 #include "passes/distance_maps.h"
 #include "render/haze/distance_images.h"
 #include "render/pixels/processor.h"
@@ -11,6 +12,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <glm/gtc/packing.hpp>
+#include <memory>
 #include <random>
 
 namespace ghost::render {
@@ -58,6 +61,12 @@ void expect_equal(const Drawn& shaders, const Drawn& processor) {
         worst = std::max(worst, std::abs(static_cast<int>(shaders.picture.samples[k]) -
                                          static_cast<int>(processor.picture.samples[k])));
     EXPECT_LE(worst, 1) << "of 255";
+}
+
+float mean_of(const image::ImageF& picture) {
+    double sum = 0;
+    for (const float sample : picture.samples) sum += static_cast<double>(sample);
+    return static_cast<float>(sum / static_cast<double>(picture.samples.size()));
 }
 
 Settings foggy() {
@@ -224,6 +233,61 @@ TEST_F(OnProcessor, SurfacesOfAFreeCamera) {
             both[processor ? 1 : 0] = relighter.frame();
         }
         expect_alike(kind, kinds[kind], both[0], both[1]);
+    }
+}
+
+// Here and there nothing is known, on surfaces or in the air either; boxes end within the room.
+scene::BounceVolumes uneven_volumes(std::mt19937& random) {
+    scene::BounceVolumes volumes;
+    volumes.low_m = {-5.3f, -3.2f, -0.4f};
+    volumes.surfel_m = 0.9f;
+    volumes.cell_m = 1.7f;
+    const auto fill = [&](scene::BounceVolume& volume, const glm::ivec3& size, int sides, float known) {
+        volume.size = size;
+        std::uniform_real_distribution<float> light(0.0f, 300.0f), share(0.0f, 1.0f);
+        for (int k = 0; k < size.x * size.y * size.z * sides; ++k)
+            volume.texels.push_back(
+                share(random) < known
+                    ? glm::packHalf4x16(glm::vec4(light(random), light(random), light(random), 1))
+                    : 0);
+    };
+    fill(volumes.surfaces, {13, 15, 9}, 6, 0.5f);
+    fill(volumes.air, {7, 8, 5}, 6, 0.8f);
+    fill(volumes.glow, {7, 8, 5}, 1, 0.8f);
+    return volumes;
+}
+
+TEST_F(OnProcessor, LightOfARoom) {
+    if (!has_vectors()) GTEST_SKIP() << "this processor has no AVX2, FMA and F16C";
+    Report report;
+    const StageModel model(device(), room_with_boards(), report);
+    std::mt19937 random(11);
+    const auto volumes = std::make_shared<const scene::BounceVolumes>(uneven_volumes(random));
+    const std::vector<shared::Light> lights{aimed_light({-4, 0, 8}, {-1, 2, 0}, 20, 200),
+                                            aimed_light({4, 2, 8}, {1, 3, 1}, 35, 200)};
+    for (const glm::ivec2 size : {glm::ivec2(192, 96), glm::ivec2(189, 97), glm::ivec2(3, 2)}) {
+        GBuffer buffer(device(), size.x, size.y);
+        const Settings base = foggy();
+        buffer.draw(model, pose_of(camera_at({0, -10, 3}, {0, 10, 2.5f}, 40, size.x, size.y)),
+                    {base.ambient, base.haze});
+        EXPECT_GT(buffer.fragments().edge_count, size.y > 90 ? 100u : 0u);
+        for (const bool lux : {false, true}) {
+            SCOPED_TRACE(std::to_string(size.x) + "x" + std::to_string(size.y) + (lux ? ", lux" : ""));
+            std::array<Drawn, 2> both;
+            for (const bool processor : {false, true}) {
+                Settings settings = foggy();
+                settings.glare.strength = 0;
+                settings.illuminance = lux;
+                settings.pixels_on_processor = processor;
+                Relighter relighter(device(), buffer, nullptr, test_gobos(), 2, settings);
+                relighter.draw(lights);
+                const float without = mean_of(relighter.frame());
+                relighter.set_room_light(volumes);
+                both[processor ? 1 : 0] = drawn_by(relighter, lights);
+                EXPECT_GT(mean_of(both[processor ? 1 : 0].frame), 1.2f * without);
+            }
+            expect_equal(both[0], both[1]);
+        }
     }
 }
 
