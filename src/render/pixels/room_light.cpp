@@ -69,13 +69,18 @@ INLINE_VECTORS F8 load_two(const std::uint64_t* left, const std::uint64_t* right
 
 // sum += weight * side, left texels in the lower half.
 INLINE_VECTORS F8 add_rows(F8 sum, const std::uint64_t* side, const Between& places, int k, float weight) {
-    const std::uint64_t* left = side + places.first[k];
-    const std::ptrdiff_t ways[4] = {0, places.below[k], places.behind[k],
-                                    std::ptrdiff_t{places.behind[k]} + places.below[k]};
-    for (int row = 0; row < 4; ++row)
-        sum = _mm256_fmadd_ps(load_two(left + ways[row], left + ways[row] + places.right[k]),
-                              _mm256_set1_ps(weight * places.row[row][k]), sum);
-    return sum;
+    const std::uint64_t* upper = side + places.first[k];
+    const std::uint64_t* lower = upper + places.below[k];
+    const std::ptrdiff_t right = places.right[k], behind = places.behind[k];
+    const F8 all = _mm256_set1_ps(weight);
+    const F8 of_row[4] = {_mm256_mul_ps(all, _mm256_broadcast_ss(&places.row[0][k])),
+                          _mm256_mul_ps(all, _mm256_broadcast_ss(&places.row[1][k])),
+                          _mm256_mul_ps(all, _mm256_broadcast_ss(&places.row[2][k])),
+                          _mm256_mul_ps(all, _mm256_broadcast_ss(&places.row[3][k]))};
+    sum = _mm256_fmadd_ps(load_two(upper, upper + right), of_row[0], sum);
+    sum = _mm256_fmadd_ps(load_two(lower, lower + right), of_row[1], sum);
+    sum = _mm256_fmadd_ps(load_two(upper + behind, upper + behind + right), of_row[2], sum);
+    return _mm256_fmadd_ps(load_two(lower + behind, lower + behind + right), of_row[3], sum);
 }
 
 INLINE_VECTORS __m128 mix_halves(F8 both, float part) {
@@ -128,16 +133,16 @@ INLINE_VECTORS vec3 lux_on_run(const RoomPlanes& where, const vec3& place_m, con
     const scene::BounceVolumes& volumes = *where.volumes;
     const Facing facing = facing_of(normal);
     const vec3 from_m = place_m - vec3(volumes.low_m);
-    alignas(32) float found[kLanes][4] = {};
+    alignas(32) float found[kLanes][4];
     Between places;
     find_between(volumes.surfaces.size, from_m * (1.0f / volumes.surfel_m), places);
     unsigned unknown = 0;
-    for (int k = 0; k < kLanes; ++k)
-        if ((wanted >> k & 1u) != 0) {
-            const __m128 lux = sides_at(volumes.surfaces, places, facing, k);
-            _mm_store_ps(found[k], lux);
-            if (known(lux) < kLeastRoomKnown) unknown |= 1u << k;
-        }
+    for (int k = 0; k < kLanes; ++k) {
+        const bool is_wanted = (wanted >> k & 1u) != 0;
+        const __m128 lux = is_wanted ? sides_at(volumes.surfaces, places, facing, k) : _mm_setzero_ps();
+        _mm_store_ps(found[k], lux);
+        if (is_wanted && known(lux) < kLeastRoomKnown) unknown |= 1u << k;
+    }
     // What no surfel stands for, thin things and bodies, gets what falls on a surface in the air there.
     if (unknown != 0) {
         const vec3 before_m = from_m + normal * (0.5f * volumes.cell_m);
@@ -180,6 +185,11 @@ INLINE_VECTORS vec3 reflected(const RoomPlanes& where, const RoomRun& run) {
     return select(stands, shown, vec3(0.0f));
 }
 
+constexpr float ray_part(int pixel) {
+    constexpr auto kStep = static_cast<int>(shared::kGlowStep);
+    return (static_cast<float>(pixel % kStep) + 0.5f) / static_cast<float>(kStep);
+}
+
 // Of eight pixels of a row, from x on, each as far as it sees.
 INLINE_VECTORS vec3 glow_before(const RoomPlanes& where, const GlowSlices& slices, int x, int y, int count,
                                 real distance_m) {
@@ -188,18 +198,21 @@ INLINE_VECTORS vec3 glow_before(const RoomPlanes& where, const GlowSlices& slice
     const real at = clamp((distance_m - room.near_m) * (1.0f / room.slice_m), 0.0f, last);
     const real below = min(floor(at), last - 1.0f);
     alignas(32) int slice[kLanes];
-    alignas(32) float beyond[kLanes], found[kLanes][4] = {};
+    alignas(32) float beyond[kLanes], found[kLanes][4];
     put(slice, numbers_of(below));
     _mm256_store_ps(beyond, (at - below).v);
-    constexpr float kRay = 1.0f / static_cast<float>(shared::kGlowStep);
+    constexpr int kStep = static_cast<int>(shared::kGlowStep);
     const std::size_t of_row = std::size_t{room.glow_width} * room.slices;
-    const float ray_y = (static_cast<float>(y) + 0.5f) * kRay;
-    const std::uint64_t* row = slices.data() + of_row * static_cast<std::size_t>(ray_y);
-    const float down = ray_y - std::floor(ray_y);
-    for (int k = 0; k < count; ++k) {
-        const float ray_x = (static_cast<float>(x + k) + 0.5f) * kRay;
-        const float right = ray_x - std::floor(ray_x);
-        const std::uint64_t* ray = row + room.slices * static_cast<std::size_t>(ray_x) + slice[k];
+    const std::uint64_t* row = slices.data() + of_row * static_cast<std::size_t>(y / kStep);
+    const float down = ray_part(y);
+    for (int k = 0; k < kLanes; ++k) {
+        if (k >= count) {
+            _mm_store_ps(found[k], _mm_setzero_ps());
+            continue;
+        }
+        const float right = ray_part(x + k);
+        const std::uint64_t* ray =
+            row + std::size_t{room.slices} * static_cast<std::size_t>((x + k) / kStep) + slice[k];
         F8 sum = _mm256_mul_ps(load_halves(ray), _mm256_set1_ps((1 - right) * (1 - down)));
         sum = _mm256_fmadd_ps(load_halves(ray + room.slices), _mm256_set1_ps(right * (1 - down)), sum);
         sum = _mm256_fmadd_ps(load_halves(ray + of_row), _mm256_set1_ps((1 - right) * down), sum);
