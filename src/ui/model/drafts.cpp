@@ -26,10 +26,16 @@ std::string crc_of(const std::string& text) {
     return std::to_string(crc32(Bytes(bytes, text.size())));
 }
 
+// Shows that lie in one folder have drafts of their own.
+std::string name_of(const std::filesystem::path& show) {
+    const std::string file = show.filename().string();
+    return file == "show.toml" ? "draft.toml" : "draft of " + file;
+}
+
 } // namespace
 
 Drafts::Drafts(const scene::Show& show)
-    : home_(show.cache_home()), beside_(show.cache_folder() / "draft.toml") {
+    : home_(show.cache_home()), beside_(show.cache_folder() / name_of(show.file)) {
     const QString folder = QStandardPaths::writableLocation(QStandardPaths::GenericDataLocation);
     std::error_code code;
     own_ = std::filesystem::path(folder.toStdString()) / "ghostlight" / "drafts" /

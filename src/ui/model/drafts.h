@@ -1,7 +1,8 @@
 #pragma once
 // SPDX-License-Identifier: Apache-2.0
-// Drafts: changes of a show file that are not saved, where the next window finds them: .ghost/draft.toml, or,
-// where that disk takes nothing or the show's folder is gone, the user's own folder. Window thread.
+// Drafts: changes of a show file that are not saved, where the next window finds them: .ghost/draft.toml
+// ("draft of NAME" for a show file of another name), or, where that disk takes nothing or the show's folder
+// is gone, the user's own folder. Window thread.
 
 #include "base/result.h"
 #include "show_folder/hold.h"

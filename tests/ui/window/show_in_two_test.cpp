@@ -213,6 +213,22 @@ TEST(Saving, more_than_can_be_read_again_is_neither_taken_nor_written) {
     EXPECT_FALSE(desk.document.waits_for_answer());
 }
 
+TEST(Drafts, shows_in_one_folder_have_their_own) {
+    QTemporaryDir place;
+    scene::Show show;
+    show.folder = place.path().toStdString();
+    show.file = show.folder / "show.toml";
+    scene::Show tuesday = show;
+    tuesday.file = show.folder / "tuesday.toml";
+    ASSERT_TRUE(Drafts(tuesday).write("new of tuesday", "tuesday").ok());
+    EXPECT_FALSE(Drafts(show).find("monday").has_value());
+    ASSERT_TRUE(Drafts(show).write("new of monday", "monday").ok());
+    Drafts(show).remove();
+    const auto found = Drafts(tuesday).find("tuesday");
+    ASSERT_TRUE(found.has_value());
+    EXPECT_EQ(found->text, "new of tuesday");
+}
+
 TEST(Drafts, one_is_offered_up_to_the_limit_of_a_show_file) {
     QTemporaryDir place;
     scene::Show show;
