@@ -20,7 +20,14 @@ namespace {
 using scene::kNoNode;
 
 constexpr std::array<float, 9> kSizes_m{1, 1.25f, 1.5f, 2, 2.5f, 3, 4, 6, 8};
-constexpr double kMostSubs = 8e6;
+
+// Sub-voxels of whole blocks.
+double subs_of(const glm::vec3& size_m, double sub_m) {
+    double blocks = 1;
+    for (int k = 0; k < 3; ++k)
+        blocks *= std::ceil(static_cast<double>(size_m[k]) / (sub_m * scene::kSubsOfBlock));
+    return blocks * scene::kSubsOfBlock * scene::kSubsOfBlock * scene::kSubsOfBlock;
+}
 
 Result<scene::Bounce> made(const Tracer& tracer, const BounceOptions& options) {
     const glm::vec3 size = options.box.high_m - options.box.low_m;
@@ -40,8 +47,9 @@ Result<scene::Bounce> made(const Tracer& tracer, const BounceOptions& options) {
         const double subs = static_cast<double>(size.x) * static_cast<double>(size.y) *
                             static_cast<double>(size.z) / (sub_m * sub_m * sub_m);
         const bool last = cell_m == sizes.back();
-        if (subs > kMostSubs && !last) continue;
-        if (subs > kMostSubs)
+        const bool is_too_large = subs_of(size, sub_m) > static_cast<double>(scene::kMostBounceSubs);
+        if (is_too_large && !last) continue;
+        if (is_too_large)
             return Error{"a room of " + std::to_string(static_cast<int>(size.x)) + " x " +
                              std::to_string(static_cast<int>(size.y)) + " x " +
                              std::to_string(static_cast<int>(size.z)) + " m is too large",

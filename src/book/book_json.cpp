@@ -15,7 +15,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr int kVersion = 1;
-constexpr JsonLimits kLimits{.bytes = kMostBookBytes, .values = 40'000'000};
+constexpr JsonLimits kLimits{.bytes = kMostBookBytes, .values = 40'000'000, .members = 64};
 constexpr double kMostNumber = 1e9;  // metres, seconds, universes, channels
 constexpr double kMostSide = 16'384; // of a picture
 

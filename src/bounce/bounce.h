@@ -33,6 +33,10 @@ inline constexpr int kSubsOfSurfel = 2; // sub-voxels across
 inline constexpr int kSubsOfCell = 4;
 inline constexpr int kSubsOfBlock = 8;
 
+// Of a room: larger ones are neither made nor read, nor are more cells of a level read.
+inline constexpr std::size_t kMostBounceSubs = 8'000'000;
+inline constexpr std::size_t kMostBounceCells = 1'000'000;
+
 struct BounceGrid {
     glm::vec3 low_m{0};
     float sub_m = 0;    // a sub-voxel

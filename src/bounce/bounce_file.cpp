@@ -104,13 +104,14 @@ bool is_whole(const Bounce& bounce) {
     for (int k = 0; k < 3; ++k)
         if (grid.subs[k] < kSubsOfBlock || grid.subs[k] > kMostSubs || grid.subs[k] % kSubsOfBlock != 0)
             return false;
+    if (grid.count() > kMostBounceSubs) return false;
     const auto voxels = [&](int of_subs) {
         const glm::ivec3 count = grid.voxels(of_subs);
         return static_cast<std::size_t>(count.x) * static_cast<std::size_t>(count.y) *
                static_cast<std::size_t>(count.z);
     };
     const std::size_t cells = bounce.fine.cells.size(), blocks = bounce.coarse.cells.size();
-    return bounce.cell_of.size() == grid.count() &&
+    return bounce.cell_of.size() == grid.count() && std::max(cells, blocks) <= kMostBounceCells &&
            std::all_of(bounce.cell_of.begin(), bounce.cell_of.end(),
                        [&](std::uint32_t cell) { return cell == kNoNode || cell < cells; }) &&
            std::all_of(bounce.fine.cells.begin(), bounce.fine.cells.end(),

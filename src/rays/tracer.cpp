@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <new>
 #include <xmmintrin.h>
 
 namespace ghost::bake {
@@ -37,6 +38,13 @@ scene::Material checked(scene::Material material, const scene::Stage& stage) {
             *texture = scene::kNone;
     }
     return material;
+}
+
+// That Embree has no memory is no bug of ours.
+void check_device(RTCDevice device) {
+    const RTCError error = rtcGetDeviceError(device);
+    if (error == RTC_ERROR_OUT_OF_MEMORY) throw std::bad_alloc();
+    CHECK_EQ(static_cast<int>(error), static_cast<int>(RTC_ERROR_NONE));
 }
 
 bool usable(const scene::Mesh& mesh) {
@@ -79,9 +87,9 @@ Tracer::Tracer(const scene::Stage& stage) : stage_(stage), textures_(stage) {
     const DenormalsOff mode;
     for (const scene::Material& material : stage.materials) materials_.push_back(checked(material, stage));
     if (materials_.empty()) materials_.emplace_back();
-    device_ = rtcNewDevice(nullptr);
-    CHECK(device_ != nullptr);
-    top_ = rtcNewScene(device_);
+    device_.reset(rtcNewDevice(nullptr));
+    check_device(device_.get());
+    top_.reset(rtcNewScene(device_.get()));
     for (const scene::Mesh& mesh : stage.meshes) {
         auto data = std::make_unique<MeshData>();
         data->tracer = this;
@@ -89,15 +97,16 @@ Tracer::Tracer(const scene::Stage& stage) : stage_(stage), textures_(stage) {
         const auto material = static_cast<std::size_t>(std::max(mesh.material, 0));
         data->material = &materials_[std::min(material, materials_.size() - 1)];
         data->textured = mesh.uvs.size() == mesh.positions.size();
-        RTCScene scene = nullptr;
+        SceneHandle scene;
         if (usable(mesh)) {
-            RTCGeometry geometry = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_TRIANGLE);
+            const GeometryHandle owned(rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_TRIANGLE));
+            RTCGeometry geometry = owned.get();
             // Copied, not shared: Embree reads 16 bytes at the last vertex.
             void* vertices = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
                                                      sizeof(glm::vec3), mesh.positions.size());
             void* indices = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
                                                     3 * sizeof(std::uint32_t), mesh.indices.size() / 3);
-            CHECK(vertices != nullptr && indices != nullptr);
+            check_device(device_.get());
             std::copy(mesh.positions.begin(), mesh.positions.end(), static_cast<glm::vec3*>(vertices));
             std::copy_n(mesh.indices.begin(), mesh.indices.size() / 3 * 3,
                         static_cast<std::uint32_t*>(indices));
@@ -108,12 +117,12 @@ Tracer::Tracer(const scene::Stage& stage) : stage_(stage), textures_(stage) {
                 rtcSetGeometryOccludedFilterFunction(geometry, &Tracer::filter);
             }
             rtcCommitGeometry(geometry);
-            scene = rtcNewScene(device_);
-            rtcAttachGeometry(scene, geometry);
-            rtcReleaseGeometry(geometry);
-            rtcCommitScene(scene);
+            scene.reset(rtcNewScene(device_.get()));
+            rtcAttachGeometry(scene.get(), geometry);
+            rtcCommitScene(scene.get());
+            check_device(device_.get());
         }
-        mesh_scenes_.push_back(scene);
+        mesh_scenes_.push_back(std::move(scene));
         meshes_.push_back(std::move(data));
     }
     for (std::size_t k = 0; k < stage.instances.size(); ++k) {
@@ -124,20 +133,22 @@ Tracer::Tracer(const scene::Stage& stage) : stage_(stage), textures_(stage) {
         const float volume = glm::determinant(glm::mat3(instance.world));
         if (!image::is_finite(instance.world) || !(std::abs(volume) > 1e-18f)) continue;
         normal_matrices_.back() = glm::transpose(glm::inverse(glm::mat3(instance.world)));
-        RTCGeometry geometry = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_INSTANCE);
-        rtcSetGeometryInstancedScene(geometry, mesh_scenes_[static_cast<std::size_t>(instance.mesh)]);
+        const GeometryHandle owned(rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_INSTANCE));
+        RTCGeometry geometry = owned.get();
+        rtcSetGeometryInstancedScene(geometry, mesh_scenes_[static_cast<std::size_t>(instance.mesh)].get());
         rtcSetGeometryTransform(geometry, 0, RTC_FORMAT_FLOAT4X4_COLUMN_MAJOR, &instance.world[0][0]);
         rtcSetGeometryMask(geometry, instance.fixture == scene::kNone ? kStageMask : kBodyMask);
         rtcCommitGeometry(geometry);
-        rtcAttachGeometryByID(top_, geometry, static_cast<unsigned>(k));
-        rtcReleaseGeometry(geometry);
+        rtcAttachGeometryByID(top_.get(), geometry, static_cast<unsigned>(k));
     }
-    rtcCommitScene(top_);
-    CHECK_EQ(static_cast<int>(rtcGetDeviceError(device_)), static_cast<int>(RTC_ERROR_NONE));
+    rtcCommitScene(top_.get());
+    check_device(device_.get());
 }
 
+Tracer::~Tracer() = default;
+
 void Tracer::move(std::size_t instance, const glm::mat4& world, bool is_there) {
-    RTCGeometry geometry = rtcGetGeometry(top_, static_cast<unsigned>(instance));
+    RTCGeometry geometry = rtcGetGeometry(top_.get(), static_cast<unsigned>(instance));
     if (geometry == nullptr) return; // it has no triangle
     const bool usable =
         is_there && image::is_finite(world) && std::abs(glm::determinant(glm::mat3(world))) > 1e-18f;
@@ -149,14 +160,8 @@ void Tracer::move(std::size_t instance, const glm::mat4& world, bool is_there) {
 
 void Tracer::commit() {
     const DenormalsOff mode;
-    rtcCommitScene(top_);
-}
-
-Tracer::~Tracer() {
-    rtcReleaseScene(top_);
-    for (RTCScene scene : mesh_scenes_)
-        if (scene != nullptr) rtcReleaseScene(scene);
-    rtcReleaseDevice(device_);
+    rtcCommitScene(top_.get());
+    check_device(device_.get());
 }
 
 void Tracer::filter(const RTCFilterFunctionNArguments* arguments) {
@@ -196,7 +201,7 @@ Surface Tracer::first_hit(const glm::vec3& origin, const glm::vec3& direction, f
                0,           0};
     hit.hit.geomID = RTC_INVALID_GEOMETRY_ID;
     hit.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
-    embree::intersect1(top_, context.base, hit);
+    embree::intersect1(top_.get(), context.base, hit);
     if (hit.hit.geomID == RTC_INVALID_GEOMETRY_ID) return {};
     return surface_at(hit, direction);
 }
@@ -210,7 +215,7 @@ Tracer::Meeting Tracer::meet(const glm::vec3& origin, const glm::vec3& direction
                direction.z, 0.0f,     reach_m,  kStageMask, 0,           0};
     hit.hit.geomID = RTC_INVALID_GEOMETRY_ID;
     hit.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
-    embree::intersect1(top_, context.base, hit);
+    embree::intersect1(top_.get(), context.base, hit);
     if (hit.hit.geomID == RTC_INVALID_GEOMETRY_ID) return {reach_m, glm::vec3(0), -1};
     Meeting meeting;
     meeting.distance_m = hit.ray.tfar;
@@ -328,7 +333,7 @@ void Tracer::occluded8(RTCRay8& rays, int count, float* fractions) const {
     RayContext context;
     embree::begin(context.base);
     context.fractions = fractions;
-    embree::occluded8(valid, top_, context.base, rays);
+    embree::occluded8(valid, top_.get(), context.base, rays);
     for (int k = 0; k < count; ++k)
         if (rays.tfar[k] < 0.0f) fractions[k] = 0.0f;
 }
@@ -392,7 +397,7 @@ void Tracer::distances(const glm::vec3& origin, const glm::vec3* directions, int
     RayContext context;
     embree::begin(context.base);
     context.blend = -1.0f;
-    embree::intersect8(valid, top_, context.base, hit);
+    embree::intersect8(valid, top_.get(), context.base, hit);
     for (int k = 0; k < count; ++k) {
         const bool met = hit.hit.geomID[k] != RTC_INVALID_GEOMETRY_ID;
         distances_m[k] = met ? hit.ray.tfar[k] : reach_m;

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Tracer: Embree over a Stage. First hits with the material evaluated, and how much light passes between
 // points (alpha masks cut, blended surfaces attenuate). Meshes are stored once and instanced. World metres.
-// Const calls from any thread; each tracing thread holds a DenormalsOff. The stage must outlive it.
+// Const calls from any thread; each tracing thread holds a DenormalsOff. The stage must outlive it. Where
+// Embree has no memory: std::bad_alloc.
 //
 // Fixture bodies (Instance::fixture) are seen by cameras and lit, but throw no shadow and no bounce: a
 // fixture that is moved changes its own pass and the pixels that show its body, not the light of all others.
@@ -17,6 +18,7 @@
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <memory>
+#include <type_traits>
 #include <vector>
 
 namespace ghost::bake {
@@ -91,6 +93,16 @@ public:
     const scene::Stage& stage() const { return stage_; }
 
 private:
+    struct Release {
+        void operator()(RTCDevice device) const { rtcReleaseDevice(device); }
+        void operator()(RTCScene scene) const { rtcReleaseScene(scene); }
+        void operator()(RTCGeometry geometry) const { rtcReleaseGeometry(geometry); }
+    };
+    template <class Embree>
+    using Handle = std::unique_ptr<std::remove_pointer_t<Embree>, Release>;
+    using SceneHandle = Handle<RTCScene>;
+    using GeometryHandle = Handle<RTCGeometry>;
+
     struct MeshData;
     void occluded8(RTCRay8& rays, int count, float* fractions) const;
     Surface surface_at(const RTCRayHit& hit, const glm::vec3& direction) const;
@@ -99,10 +111,10 @@ private:
     const scene::Stage& stage_;
     Textures textures_;
     std::vector<scene::Material> materials_; // without references to textures that are not there
-    RTCDevice device_ = nullptr;
-    RTCScene top_ = nullptr;
+    Handle<RTCDevice> device_;               // before its scenes, which go first
+    SceneHandle top_;
     std::vector<std::unique_ptr<MeshData>> meshes_;
-    std::vector<RTCScene> mesh_scenes_;
+    std::vector<SceneHandle> mesh_scenes_;
     std::vector<glm::mat3> normal_matrices_; // per instance
 };
 

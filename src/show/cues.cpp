@@ -7,6 +7,7 @@
 #include "show/show.h"
 
 #include <algorithm>
+#include <set>
 
 namespace ghost::scene {
 namespace {
@@ -33,6 +34,7 @@ void check_name(const Cue& cue, const std::string& what, const std::string& name
 
 std::vector<Cue> read_cues(TableReader& top, const std::string& file, Report& report) {
     std::vector<Cue> cues;
+    std::set<std::string> names;
     for (const toml::table* table : top.tables("cue", kMostCues)) {
         TableReader reader(*table, "[[cue]]", file, report);
         Cue cue;
@@ -51,8 +53,7 @@ std::vector<Cue> read_cues(TableReader& top, const std::string& file, Report& re
         if (!cue.at_s && cue.camera.empty() && cue.look.empty())
             reader.missing("at_s", "where it goes: at_s = a second of the recording, camera = a name, or "
                                    "look = a name");
-        const bool known =
-            std::any_of(cues.begin(), cues.end(), [&](const Cue& other) { return other.name == cue.name; });
+        const bool known = !cue.name.empty() && !names.insert(cue.name).second;
         if (known)
             reader.problem(Severity::error, "name", "is that of another cue; the first one is called by it");
         reader.finish();

@@ -159,6 +159,7 @@ bool ServerLoop::serve(Guest& guest) {
             read_frames(guest);
         else if (!guest.book)
             read_request(guest);
+        if (guest.book && guest.connection.unread().size() > kMostHeadBytes) answer(guest, refusal(413));
         end_what_is_late(guest);
         if (guest.viewer) go_to_watch(guest);
         if (guest.viewer) offer(guest);
@@ -185,12 +186,12 @@ void ServerLoop::read_request(Guest& guest) {
         gate_.access.own = std::move(own);
         return route(parsed.head, body, gate_.access, now_s());
     }();
+    connection.take(parsed.bytes + body_bytes);
     if (routed.book) {
         guest.book = routed.book;
         return;
     }
     if (!routed.is_live) return answer(guest, routed.answer);
-    connection.take(parsed.bytes + body_bytes);
     begin_live(guest, routed, keys);
 }
 

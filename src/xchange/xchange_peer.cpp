@@ -13,7 +13,8 @@ constexpr std::size_t kMostWaitingFiles = 8;   // that wait to be sent
 constexpr std::size_t kFileBytes = 256u << 10; // of a file in memory at a time
 constexpr double kNoProgress_s = 30;
 constexpr double kLongestMessage_s = 30;
-constexpr int kReadsPerTurn = 64; // of 64 KiB: others have their turn, too
+constexpr int kReadsPerTurn = 64;                // of 64 KiB: others have their turn, too
+constexpr std::size_t kSentPerTurn = 512u << 10; // twice, however fast it is read
 
 } // namespace
 
@@ -68,18 +69,19 @@ void XchangePeer::drop_sent() {
 Result<void> XchangePeer::send_what_goes(double now_s) {
     if (!has_to_send()) sent_s_ = now_s;
     if (overfull_ || waiting_bytes() > kMostUnread) return Error{"does not read what it is sent", ""};
-    for (;;) {
+    for (std::size_t left = kSentPerTurn; left > 0;) {
         if (out_sent_ == out_.size()) {
             out_.clear();
             out_sent_ = 0;
             if (files_.empty()) return {};
             TRY_VOID(refill());
         }
-        const auto sent = stream_->send(
-            {reinterpret_cast<const std::uint8_t*>(out_.data()) + out_sent_, out_.size() - out_sent_});
+        const auto sent = stream_->send({reinterpret_cast<const std::uint8_t*>(out_.data()) + out_sent_,
+                                         std::min(out_.size() - out_sent_, left)});
         if (!sent) return Error{};
         if (*sent > 0) sent_s_ = now_s;
         out_sent_ += *sent;
+        left -= *sent;
         drop_sent();
         if (*sent == 0) break;
     }

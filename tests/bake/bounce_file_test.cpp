@@ -39,5 +39,39 @@ TEST(BounceFile, another_key_is_no_error_and_damage_is_one) {
     }
 }
 
+Bounce room_of(const glm::ivec3& subs) {
+    Bounce room;
+    room.grid.sub_m = 0.25f;
+    room.grid.subs = subs;
+    room.cell_of.assign(room.grid.count(), kNoNode);
+    room.near.start = room.far.start = {0};
+    return room;
+}
+
+bool comes_back(const Bounce& room) {
+    const auto file = file_of("");
+    EXPECT_TRUE(write_bounce(file, kKey, room).ok());
+    const auto read = read_bounce(file, kKey);
+    std::filesystem::remove(file);
+    return read.ok() && read->has_value();
+}
+
+TEST(BounceFile, a_room_that_is_larger_than_any_that_is_made_is_damaged) {
+    EXPECT_TRUE(comes_back(room_of({200, 200, 200})));
+    EXPECT_FALSE(comes_back(room_of({208, 200, 200}))) << "kMostBounceSubs";
+}
+
+TEST(BounceFile, so_many_cells_of_a_level_and_no_more) {
+    Bounce room = room_of({8, 8, 8});
+    BounceCell cell;
+    cell.volume_m3 = 1;
+    room.coarse.cells.assign(kMostBounceCells, cell);
+    room.far.start.assign(room.coarse.slots() + 1, 0);
+    EXPECT_TRUE(comes_back(room));
+    room.coarse.cells.push_back(cell);
+    room.far.start.assign(room.coarse.slots() + 1, 0);
+    EXPECT_FALSE(comes_back(room)) << "kMostBounceCells";
+}
+
 } // namespace
 } // namespace ghost::scene

@@ -277,6 +277,17 @@ TEST(BookFile, of_another_kind_is_refused) {
     }
 }
 
+// Each of them is looked up by walking.
+TEST(BookFile, of_objects_with_more_members_than_any_of_ours_is_refused) {
+    const auto with_members = [](std::size_t count) {
+        std::string all = R"({"ghostlight_book": 2)";
+        for (std::size_t k = 1; k < count; ++k) all += ", \"" + std::to_string(k) + "\": 0";
+        return book_from(all + "}", "x").error().what;
+    };
+    EXPECT_NE(with_members(64).find("of another version"), std::string::npos);
+    EXPECT_NE(with_members(65).find("more than 64 members"), std::string::npos);
+}
+
 TEST(Page, escapes_names_and_keeps_every_script) {
     Book book = small_book();
     book.entries[0].name = "</h2><script>alert(1)</script>";

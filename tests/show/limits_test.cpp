@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <ctime>
 
 namespace ghost::scene {
 namespace {
@@ -137,6 +138,21 @@ TEST(ShowLimits, UnknownKeysAreNotListedWithoutEnd) {
     EXPECT_TRUE(has_said(report, "more messages are not listed, but the first of each kind"))
         << all_said(report);
     EXPECT_TRUE(report.lost_anything()) << "what is rare is among them";
+}
+
+// Names as long as they may be, alike but for their ends: found at once, whatever number of them there is.
+TEST(ShowLimits, NamesOfCuesTakeNoTime) {
+    const auto seconds_of = [](const std::string& before, const std::string& behind) {
+        std::string text;
+        for (int k = 10'000; k < 20'000; ++k)
+            text += "[[cue]]\nname = \"" + before + std::to_string(k) + behind + "\"\nat_s = 1\n";
+        const std::clock_t begun = std::clock();
+        EXPECT_EQ(all_said(of_show(text)), "");
+        return static_cast<double>(std::clock() - begun) / CLOCKS_PER_SEC;
+    };
+    const std::string letters(990, 'a');
+    (void)seconds_of("", letters);
+    EXPECT_LT(seconds_of(letters, ""), 3 * seconds_of("", letters));
 }
 
 } // namespace

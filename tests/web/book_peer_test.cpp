@@ -32,9 +32,12 @@ protected:
     }
     std::unique_ptr<Peer> ask_for(const std::string& file) {
         auto peer = std::make_unique<Peer>(server->port());
-        peer->send("GET /book/" + file + " HTTP/1.1\r\nHost: 127.0.0.1:" + std::to_string(server->port()) +
-                   "\r\nAuthorization: Bearer " + server->keys().token + "\r\n\r\n");
+        peer->send(request_for(file));
         return peer;
+    }
+    std::string request_for(const std::string& file) const {
+        return "GET /book/" + file + " HTTP/1.1\r\nHost: 127.0.0.1:" + std::to_string(server->port()) +
+               "\r\nAuthorization: Bearer " + server->keys().token + "\r\n\r\n";
     }
 
     TestFolder folder;
@@ -74,6 +77,14 @@ TEST_F(WebBook, those_who_read_nothing_hold_64_MiB_together_and_no_more) {
         status = ask_for(kPicture)->status();
     }
     EXPECT_EQ(status, 200) << "they have left";
+}
+
+TEST_F(WebBook, who_goes_on_while_a_file_is_read_is_refused) {
+    Peer endless(server->port()), hasty(server->port());
+    endless.send(request_for("book.json") + std::string(20'000, 'x'));
+    EXPECT_EQ(endless.status(), 413);
+    hasty.send(request_for("book.json") + request_for("book.json"));
+    EXPECT_EQ(hasty.status(), 200) << "one answer, as for who asks once";
 }
 
 } // namespace

@@ -9,6 +9,21 @@ namespace {
 
 using namespace stations;
 
+struct Ends {
+    Ends() {
+        const auto listener = must(dmx::TcpListener::open(0x7F000001, 0));
+        visitor = must(dmx::TcpStream::connect(dmx::IpAddress(0x7F000001), listener->port()));
+        std::unique_ptr<dmx::TcpStream> stream;
+        for (int k = 0; k < 10'000 && !(stream = listener->accept()); ++k) std::this_thread::sleep_for(1ms);
+        if (stream) peer = std::make_unique<XchangePeer>(std::move(stream), 0);
+    }
+    std::unique_ptr<dmx::TcpStream> visitor;
+    std::unique_ptr<XchangePeer> peer;
+};
+
+const XchangePeer::Sink kNobody{[](const scene::XchangeMessage&) {},
+                                [](Bytes, bool) -> Result<void> { return {}; }};
+
 TEST(XchangeStations, visitors_that_say_nothing_or_nonsense_leave_room_for_others) {
     const Folder folder;
     const std::string content = write_plot(folder.path / "tour.mvr", 100'000);
@@ -61,14 +76,9 @@ TEST(XchangeStations, a_thousand_offers_are_bounded) {
 
 // Somebody who asks and asks, and never reads what he is answered.
 TEST(XchangePeer, answers_that_nobody_reads_have_an_end) {
-    const auto listener = dmx::TcpListener::open(0x7F000001, 0);
-    ASSERT_TRUE(listener.ok());
-    auto visitor = dmx::TcpStream::connect(dmx::IpAddress(0x7F000001), (*listener)->port());
-    ASSERT_TRUE(visitor.ok());
-    std::unique_ptr<dmx::TcpStream> stream;
-    for (int k = 0; k < 10'000 && !(stream = (*listener)->accept()); ++k) std::this_thread::sleep_for(1ms);
-    ASSERT_TRUE(stream);
-    XchangePeer peer(std::move(stream), 0);
+    Ends ends;
+    ASSERT_TRUE(ends.peer);
+    XchangePeer& peer = *ends.peer;
     scene::XchangeMessage answer;
     answer.type = "MVR_JOIN_RET";
     answer.commits.resize(200);
@@ -78,7 +88,7 @@ TEST(XchangePeer, answers_that_nobody_reads_have_an_end) {
     Result<void> turned;
     std::size_t most = 0;
     for (int round = 0; round < 200 && turned.ok(); ++round) {
-        (void)(*visitor)->send({reinterpret_cast<const std::uint8_t*>(questions.data()), questions.size()});
+        (void)ends.visitor->send({reinterpret_cast<const std::uint8_t*>(questions.data()), questions.size()});
         turned = peer.turn(0, {[&](const scene::XchangeMessage&) {
                                    peer.say(answer);
                                    most = std::max(most, peer.waiting_bytes());
@@ -92,29 +102,22 @@ TEST(XchangePeer, answers_that_nobody_reads_have_an_end) {
 
 // Somebody who reads as fast as he asks, and never all of it.
 TEST(XchangePeer, what_was_sent_is_not_kept) {
-    const auto listener = dmx::TcpListener::open(0x7F000001, 0);
-    ASSERT_TRUE(listener.ok());
-    auto visitor = dmx::TcpStream::connect(dmx::IpAddress(0x7F000001), (*listener)->port());
-    ASSERT_TRUE(visitor.ok());
-    std::unique_ptr<dmx::TcpStream> stream;
-    for (int k = 0; k < 10'000 && !(stream = (*listener)->accept()); ++k) std::this_thread::sleep_for(1ms);
-    ASSERT_TRUE(stream);
-    XchangePeer peer(std::move(stream), 0);
+    Ends ends;
+    ASSERT_TRUE(ends.peer);
+    XchangePeer& peer = *ends.peer;
     scene::XchangeMessage answer;
     answer.type = "MVR_JOIN_RET";
     answer.commits.resize(200);
     for (scene::XchangeCommit& commit : answer.commits) commit.comment = std::string(200, 'x');
-    const XchangePeer::Sink nobody{[](const scene::XchangeMessage&) {},
-                                   [](Bytes, bool) -> Result<void> { return {}; }};
     constexpr std::size_t kWaits = 2u << 20, kRead = 96u << 20, kMostKept = 12u << 20;
     std::size_t read = 0, most = 0;
     for (int round = 0; round < 100'000 && read < kRead; ++round) {
         while (peer.waiting_bytes() < kWaits) peer.say(answer);
-        const Result<void> turned = peer.turn(0, nobody);
+        const Result<void> turned = peer.turn(0, kNobody);
         ASSERT_TRUE(turned.ok()) << turned.error().text();
         most = std::max(most, peer.memory_bytes());
         for (int k = 0; k < 8; ++k) {
-            const auto bytes = (*visitor)->read();
+            const auto bytes = ends.visitor->read();
             ASSERT_TRUE(bytes.has_value());
             if (bytes->empty()) break;
             read += bytes->size();
@@ -122,6 +125,37 @@ TEST(XchangePeer, what_was_sent_is_not_kept) {
     }
     EXPECT_GE(read, kRead);
     EXPECT_LT(most, kMostKept);
+}
+
+// The others of the thread wait meanwhile.
+TEST(XchangePeer, a_turn_sends_a_part_of_a_plot_however_fast_it_is_read) {
+    constexpr std::size_t kPlot = 64u << 20, kMostSent = 1u << 20;
+    const Folder folder;
+    const fs::path plot = folder.path / "plot.mvr";
+    ASSERT_TRUE(write_file_atomic(plot, std::string()).ok());
+    fs::resize_file(plot, kPlot);
+    Ends ends;
+    ASSERT_TRUE(ends.peer);
+    std::atomic<std::size_t> read{0};
+    std::atomic<bool> stop{false};
+    std::thread reader([&] {
+        while (!stop)
+            if (const auto bytes = ends.visitor->read()) read += bytes->size();
+    });
+    EXPECT_TRUE(ends.peer->send_file(plot).ok());
+    EXPECT_TRUE(ends.peer->turn(0, kNobody).ok());
+    for (std::size_t before = 0; read == 0 || read != before;) {
+        before = read;
+        std::this_thread::sleep_for(200ms);
+    }
+    EXPECT_LE(read, kMostSent);
+    for (int turns = 1; turns < 10'000 && read < kPlot; ++turns) {
+        EXPECT_TRUE(ends.peer->turn(0, kNobody).ok()) << turns;
+        std::this_thread::sleep_for(1ms);
+    }
+    EXPECT_GE(read, kPlot) << "the next turns send the rest";
+    stop = true;
+    reader.join();
 }
 
 TEST(XchangeStations, plots_of_ever_new_numbers_are_counted) {

@@ -18,6 +18,9 @@ Result<std::size_t> read_bytes(const std::filesystem::path& path, std::span<char
 std::optional<bool> rename_to_new(const std::filesystem::path& from, const std::filesystem::path& to,
                                   std::string& error);
 
+// The system's own way, which not every file system has. False: errno says why not. Linux and macOS.
+bool rename_without_replacing(const std::filesystem::path& from, const std::filesystem::path& to);
+
 // The file and what was written to it are on the disk itself. fd: as the C library counts files.
 bool flush_file(int fd);
 

@@ -3,8 +3,6 @@
 
 #include "disk/private/system_files.h"
 
-#include <cerrno>
-#include <cstring>
 #include <fcntl.h>
 #include <sys/file.h>
 #include <unistd.h>
@@ -23,18 +21,8 @@ bool flush_file(int fd) {
     return ::fsync(fd) == 0;
 }
 
-std::optional<bool> rename_to_new(const std::filesystem::path& from, const std::filesystem::path& to,
-                                  std::string& error) {
-    // A file system without this call may have links.
-    int done = ::renameat2(AT_FDCWD, from.c_str(), AT_FDCWD, to.c_str(), RENAME_NOREPLACE);
-    if (done != 0 && errno == EINVAL) {
-        done = ::link(from.c_str(), to.c_str());
-        if (done == 0) ::unlink(from.c_str());
-    }
-    if (done == 0) return true;
-    if (errno == EEXIST) return false;
-    error = std::strerror(errno);
-    return std::nullopt;
+bool rename_without_replacing(const std::filesystem::path& from, const std::filesystem::path& to) {
+    return ::renameat2(AT_FDCWD, from.c_str(), AT_FDCWD, to.c_str(), RENAME_NOREPLACE) == 0;
 }
 
 } // namespace ghost

@@ -4,8 +4,6 @@
 
 #include "disk/private/system_files.h"
 
-#include <cerrno>
-#include <cstring>
 #include <fcntl.h>
 #include <stdio.h>
 #include <sys/file.h>
@@ -26,18 +24,8 @@ bool lock_file(std::FILE* file) {
     return ::flock(::fileno(file), LOCK_EX | LOCK_NB) == 0;
 }
 
-std::optional<bool> rename_to_new(const std::filesystem::path& from, const std::filesystem::path& to,
-                                  std::string& error) {
-    // A file system without this call may have links.
-    int done = ::renamex_np(from.c_str(), to.c_str(), RENAME_EXCL);
-    if (done != 0 && errno == ENOTSUP) {
-        done = ::link(from.c_str(), to.c_str());
-        if (done == 0) ::unlink(from.c_str());
-    }
-    if (done == 0) return true;
-    if (errno == EEXIST) return false;
-    error = std::strerror(errno);
-    return std::nullopt;
+bool rename_without_replacing(const std::filesystem::path& from, const std::filesystem::path& to) {
+    return ::renamex_np(from.c_str(), to.c_str(), RENAME_EXCL) == 0;
 }
 
 } // namespace ghost

@@ -5,6 +5,7 @@
 #include "disk/private/system_files.h"
 #include "disk/temporary.h"
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <csignal>
@@ -28,6 +29,28 @@ struct Descriptor {
         if (fd >= 0) ::close(fd);
     }
 };
+
+// A file system of Linux or macOS, or a container's filter, that does not know a call.
+bool is_not_known(int error) {
+    constexpr std::array kErrors{EINVAL, ENOSYS, EPERM, EOPNOTSUPP, ENOTSUP};
+    return std::find(kErrors.begin(), kErrors.end(), error) != kErrors.end();
+}
+
+bool link_and_unlink(const fs::path& from, const fs::path& to) {
+    return ::link(from.c_str(), to.c_str()) == 0 && (::unlink(from.c_str()), true);
+}
+
+// The name is taken by an empty file, which is replaced.
+bool rename_over_empty(const fs::path& from, const fs::path& to) {
+    const int taken = ::open(to.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0600);
+    if (taken < 0) return false;
+    ::close(taken);
+    if (::rename(from.c_str(), to.c_str()) == 0) return true;
+    const int why = errno;
+    ::unlink(to.c_str());
+    errno = why;
+    return false;
+}
 
 } // namespace
 
@@ -55,6 +78,15 @@ Result<std::size_t> read_bytes(const fs::path& path, std::span<char> bytes) {
         done += static_cast<std::size_t>(got);
     }
     return done;
+}
+
+std::optional<bool> rename_to_new(const fs::path& from, const fs::path& to, std::string& error) {
+    if (rename_without_replacing(from, to)) return true;
+    if (is_not_known(errno) && link_and_unlink(from, to)) return true;
+    if (is_not_known(errno) && rename_over_empty(from, to)) return true;
+    if (errno == EEXIST) return false;
+    error = std::strerror(errno);
+    return std::nullopt;
 }
 
 std::string host_name() {

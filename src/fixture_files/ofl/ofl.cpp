@@ -12,6 +12,7 @@ namespace ghost::fixture {
 namespace {
 
 constexpr std::uintmax_t kMaxFileBytes = 4u << 20; // the library's largest has 0.3 MB
+constexpr JsonLimits kJsonLimits{.members = 1024}; // the list of manufacturers has 300
 constexpr std::size_t kMaxListed = 8;
 
 // "american-dj" -> "American Dj"
@@ -67,7 +68,7 @@ std::string listed(const std::string& list, const std::string& name) {
 } // namespace
 
 Result<Json> parse_ofl_json(Bytes bytes, const std::string& name) {
-    return read_ordered_json({reinterpret_cast<const char*>(bytes.data()), bytes.size()}, name);
+    return read_ordered_json({reinterpret_cast<const char*>(bytes.data()), bytes.size()}, name, kJsonLimits);
 }
 
 Result<LoadedType> load_ofl(Bytes bytes, const std::string& name, const std::filesystem::path& folder) {

@@ -17,8 +17,9 @@
 namespace ghost::render {
 namespace {
 
-constexpr float kMostError_px = 0.15f; // of a coarser body: less than samples are apart
-constexpr float kLeastVolume = 1e-18f; // below, an instance is flat: the baker leaves it out too
+constexpr float kMostError_px = 0.15f;     // of a coarser body: less than samples are apart
+constexpr std::uint64_t kMostOfLevels = 3; // indices of a mesh with all its levels of detail, by its own
+constexpr float kLeastVolume = 1e-18f;     // below, an instance is flat: the baker leaves it out too
 
 bool placeable(const glm::mat4& m) {
     return image::is_finite(m) && std::abs(glm::determinant(glm::mat3(m))) > kLeastVolume;
@@ -77,11 +78,11 @@ std::vector<glm::vec4> make_tangents(const scene::Mesh& mesh) {
 } // namespace
 
 StageModel::StageModel(const gpu::Device& device, const scene::Stage& stage, Report& report,
-                       std::uint64_t texture_bytes)
+                       std::uint64_t texture_bytes, std::uint64_t mesh_bytes)
     : device_(device) {
     add_textures(stage, report, texture_bytes);
     add_surfaces(stage);
-    add_meshes(stage, report);
+    add_meshes(stage, report, mesh_bytes);
     upload_materials();
     add_instances(stage, report);
 }
@@ -108,7 +109,8 @@ void StageModel::add_surfaces(const scene::Stage& stage) {
     }
 }
 
-void StageModel::add_meshes(const scene::Stage& stage, Report& report) {
+void StageModel::add_meshes(const scene::Stage& stage, Report& report, std::uint64_t mesh_bytes) {
+    const std::uint64_t all_bytes = mesh_bytes;
     std::vector<StageVertex> vertices;
     std::vector<std::uint32_t> indices;
     for (const scene::Mesh& mesh : stage.meshes) {
@@ -127,6 +129,15 @@ void StageModel::add_meshes(const scene::Stage& stage, Report& report) {
                        "the mesh has indices without vertices or vertices without normals: it is not drawn");
             continue;
         }
+        const std::uint64_t bytes =
+            count * sizeof(StageVertex) + kMostOfLevels * mesh.indices.size() * sizeof(std::uint32_t);
+        if (bytes > mesh_bytes) {
+            report.add(Severity::error, mesh.name,
+                       "the mesh is not drawn: with those before it, it needs more than the " +
+                           std::to_string(all_bytes >> 20) + " MiB that all meshes may have");
+            continue;
+        }
+        mesh_bytes -= bytes;
         std::vector<glm::vec3> facets(count, glm::vec3(0, 0, 1)); // where a normal is none
         for (std::size_t k = 0; k + 2 < mesh.indices.size(); k += 3) {
             const std::uint32_t* i = mesh.indices.data() + k;

@@ -36,9 +36,12 @@ public:
     static constexpr std::uint64_t kTextureBytes = std::uint64_t{1}
                                                    << 30; // at most, or a quarter of the device
 
+    static constexpr std::uint64_t kMeshBytes = std::uint64_t{8} << 30; // far below what indices count
+
     // texture_bytes: larger textures lose their finest levels until all fit; a line of warning says so.
+    // mesh_bytes: of all meshes; those for which there are too few left are left out, and said.
     StageModel(const gpu::Device& device, const scene::Stage& stage, Report& report,
-               std::uint64_t texture_bytes = kTextureBytes);
+               std::uint64_t texture_bytes = kTextureBytes, std::uint64_t mesh_bytes = kMeshBytes);
 
     // instance: index into Stage::instances.
     void show(std::size_t instance, bool shown);
@@ -129,7 +132,7 @@ private:
     static TextureUse use_of(const scene::Stage& stage, int texture, std::size_t slot);
     void add_textures(const scene::Stage& stage, Report& report, std::uint64_t texture_bytes);
     void add_surfaces(const scene::Stage& stage);
-    void add_meshes(const scene::Stage& stage, Report& report);
+    void add_meshes(const scene::Stage& stage, Report& report, std::uint64_t mesh_bytes);
     // Appends the levels of detail of a mesh that is in the indices; facets: normals for where one is none.
     void add_levels(const scene::Mesh& mesh, const std::vector<glm::vec3>& facets, Mesh& made,
                     std::vector<std::uint32_t>& indices) const;

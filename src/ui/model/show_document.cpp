@@ -86,10 +86,7 @@ ShowDocument::ShowDocument(AppModel& app) : app_(app) {
     draft_timer_.setSingleShot(true);
     // No watcher tells of a folder that is renamed, or of a disk that is taken out.
     gone_timer_.start(kLookAgain_ms);
-    connect(&gone_timer_, &QTimer::timeout, this, [this] {
-        look_whether_gone();
-        look_who_holds();
-    });
+    connect(&gone_timer_, &QTimer::timeout, this, &ShowDocument::look_at_disk);
     connect(&draft_timer_, &QTimer::timeout, this, &ShowDocument::keep_draft);
     for (const auto signal : {&QFileSystemWatcher::directoryChanged, &QFileSystemWatcher::fileChanged})
         connect(&watcher_, signal, this, &ShowDocument::look_at_file);
@@ -136,6 +133,8 @@ void ShowDocument::read_opened() {
     changed_outside_ = false;
     seen_outside_.reset();
     is_gone_ = false;
+    misses_ = 0;
+    disk_.forget();
     if (file_.extension() != ".toml") file_.clear();
     if (!file_.empty()) {
         if (auto text = read_text_file(file_, scene::kMaxShowBytes); text.ok())
@@ -357,9 +356,21 @@ void ShowDocument::look_at_file() {
     Q_EMIT changed();
 }
 
-void ShowDocument::look_whether_gone() {
-    std::error_code code;
-    const bool is_there = file_.empty() || std::filesystem::exists(file_, code);
+// Before anything here touches it: where it does not answer, the window goes on.
+void ShowDocument::look_at_disk() {
+    if (file_.empty()) return;
+    disk_.ask([this, file = file_]() -> DiskLook::Then {
+        std::error_code code;
+        const bool is_there = std::filesystem::exists(file, code);
+        const bool has_folder = is_there || std::filesystem::exists(file.parent_path(), code);
+        return [this, is_there, has_folder] {
+            look_whether_gone(is_there, has_folder);
+            look_who_holds();
+        };
+    });
+}
+
+void ShowDocument::look_whether_gone(bool is_there, bool has_folder) {
     misses_ = is_there ? 0 : misses_ + 1;
     if (is_there && is_gone_) {
         watcher_.removePaths(watcher_.directories()); // it may be another folder
@@ -367,7 +378,6 @@ void ShowDocument::look_whether_gone() {
     }
     if (misses_ < kGoneAfter || is_gone_) return;
     is_gone_ = true;
-    const bool has_folder = std::filesystem::exists(file_.parent_path(), code);
     Q_EMIT found_gone(
         has_folder
             ? translated("Notice", "The show file is gone: deleted, renamed, or its disk was taken out. "

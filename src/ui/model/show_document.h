@@ -8,6 +8,7 @@
 #include "show/show.h"
 #include "show_folder/hold.h"
 #include "ui/model/app_model.h"
+#include "ui/model/disk_look.h"
 #include "ui/model/drafts.h"
 
 #include <QFileSystemWatcher>
@@ -117,7 +118,8 @@ private:
     void keep_draft();
     void find_draft();
     void look_at_file();
-    void look_whether_gone();
+    void look_at_disk();
+    void look_whether_gone(bool is_there, bool has_folder);
     void look_who_holds();
     void notice_loss();
     void hold(Hold::Other other);
@@ -141,6 +143,7 @@ private:
     int misses_ = 0;                          // looks that did not find it
     std::optional<std::string> seen_outside_; // what it says there
     QTimer draft_timer_, gone_timer_;
+    DiskLook disk_;
     QFileSystemWatcher watcher_;
 };
 

@@ -4,8 +4,8 @@
 // a menu is open. Keys and scripts still run it, and hear why it cannot be done. Window thread.
 
 #include "ui/actions/actions.h"
-#include "ui/model/recent_shows.h"
 #include "ui/model/show_document.h"
+#include "ui/window/recent_shows.h"
 
 #include <QMenu>
 #include <QMenuBar>

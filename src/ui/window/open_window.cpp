@@ -7,7 +7,6 @@
 #include "show/show.h"
 #include "ui/actions/script.h"
 #include "ui/language/language.h"
-#include "ui/widgets/plain_labels.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/whole_paint.h"
 #include "ui/window/window.h"
@@ -112,8 +111,6 @@ Result<void> open_window(Link& link, const WindowOptions& options) {
     set_language(language_for(options));
     QLocale::setDefault(QLocale::c()); // "0.5" in every language, as desks, scripts and files have it
     set_theme(application);
-    PlainLabels plain_labels;
-    application.installEventFilter(&plain_labels);
     WholePaint whole_paint;
     application.installEventFilter(&whole_paint);
 

@@ -32,6 +32,7 @@
 #include "ui/picture/view_bar.h"
 #include "ui/widgets/focus_guide.h"
 #include "ui/widgets/panel_area.h"
+#include "ui/widgets/plain_labels.h"
 #include "ui/widgets/popup_keys.h"
 #include "ui/widgets/undo_keys.h"
 #include "ui/widgets/wheel_guard.h"
@@ -74,6 +75,7 @@ Window::Window(Link& link, const WindowOptions& options)
       status_supply_(new QLabel(this)), status_jobs_(new QLabel(this)), status_device_(new QLabel(this)) {
     setWindowTitle("Ghostlight");
     setAcceptDrops(true);
+    qApp->installEventFilter(new PlainLabels(this));
     qApp->installEventFilter(new WheelGuard(this));
     qApp->installEventFilter(new PopupKeys(this));
     auto* const undo_keys = new UndoKeys(this);

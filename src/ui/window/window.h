@@ -10,7 +10,6 @@
 #include "ui/model/app_model.h"
 #include "ui/model/looks.h"
 #include "ui/model/plot_report.h"
-#include "ui/model/recent_shows.h"
 #include "ui/model/show_document.h"
 #include "ui/picture/view.h"
 #include "ui/widgets/loop_watch.h"
@@ -21,6 +20,7 @@
 #include "ui/window/menus.h"
 #include "ui/window/open_window.h"
 #include "ui/window/rdm_edits.h"
+#include "ui/window/recent_shows.h"
 #include "ui/window/second_display.h"
 
 #include <QDockWidget>

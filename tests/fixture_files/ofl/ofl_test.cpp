@@ -216,6 +216,10 @@ TEST(ofl, faults_are_said_with_their_place) {
     std::string many = "{\"a\": [";
     for (int i = 0; i < 200'001; ++i) many += i ? ",0" : "0";
     EXPECT_NE(load(many + "]}").error().what.find("200000 values"), std::string::npos);
+    std::string members = "{\"redirectTo\": \"a/b\"";
+    for (int i = 1; i < 1024; ++i) members += ", \"" + std::to_string(i) + "\": 0";
+    EXPECT_NE(load(members + "}").error().what.find("redirect"), std::string::npos);
+    EXPECT_NE(load(members + ", \"x\": 0}").error().what.find("more than 1024 members"), std::string::npos);
     const LoadedType type = loaded(fixture(R"json("availableChannels": {
  "A/B": {"capabilities": [{"dmxRange": [0, 300], "type": "Intensity"}, {"dmxRange": [10, 5], "type": "Intensity"},
   {"dmxRange": [0, 20], "type": "Invented"}, {"dmxRange": [21, 30], "type": "Intensity", "brightness": "loud"}]},

@@ -442,6 +442,20 @@ TEST_F(GBufferTest, TheSameCameraGivesTheSameBits) {
     EXPECT_EQ(a.base, b.base);
 }
 
+TEST_F(GBufferTest, MeshesHaveAnEndTogether) {
+    const scene::Stage stage = room(); // two squares
+    const std::uint64_t square = 4 * sizeof(StageVertex) + 3 * 6 * sizeof(std::uint32_t);
+    for (const std::uint64_t bytes : {2 * square, 2 * square - 1, square - 1}) {
+        Report report;
+        const StageModel model(device(), stage, report, StageModel::kTextureBytes, bytes);
+        const std::size_t drawn = bytes / square;
+        EXPECT_EQ(model.drawn_triangles(), 2 * drawn);
+        ASSERT_EQ(report.messages.size(), 2 - drawn);
+        for (const Message& message : report.messages)
+            EXPECT_NE(message.what.find("the mesh is not drawn"), std::string::npos) << message.what;
+    }
+}
+
 // Pixels beyond the room for extra fragments keep one, which stands for all.
 TEST_F(GBufferTest, NoRoomForExtrasKeepsTheMainFragment) {
     scene::Stage stage = room();

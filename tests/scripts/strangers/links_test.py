@@ -26,7 +26,7 @@ DECOYS = ["holiday.exr", "letter.txt", "0123abcd-film.mp4", "1.json", "1.txt", "
 OURS = b"somebody else's\n"
 # Known to be there: the clean run did all that it should.
 LEAST = {"draft.toml", "window.lock", "passes/house", "media", "plot.mvr/media.txt", "farm/newest", "farm/PLAN/plan.json",
-         "farm/PLAN/done", "farm/PLAN/failed", "farm/PLAN/log", "farm/PLAN/submitted.json", "farm/PLAN/submitting", "distances"}
+         "farm/PLAN/done", "farm/PLAN/failed", "farm/PLAN/log", "farm/PLAN/submitted.json", "farm/PLAN/submitting", "distances", "bounce/room.bin"}
 
 
 class Run:
@@ -51,7 +51,7 @@ class Run:
         """All that writes into .ghost or cleans there; what the window writes lies at its top, and what a picture needs, three folders deep."""
         said = ""
         for deepest, words in ((9, ["bake", self.show, "--spp", "1", "--farm", "local"]), (9, ["bake", self.show, "--spp", "1"]),
-                               (3, ["render", self.show, "--live", "--at", "1", "-o", self.work / "a.png"]), (2, ["check", self.show / "plot.mvr"]),
+                               (3, ["render", self.show, "--live", "--bounce", "room", "--at", "1", "-o", self.work / "a.png"]), (2, ["check", self.show / "plot.mvr"]),
                                (9, ["farm", "status", self.show]), (9, ["farm", "retry", self.show]),
                                (1, ["open", self.show, "--forget", "--size", "320x200", "--script", self.work / "script"])):
             if depth > deepest:
@@ -95,8 +95,8 @@ def main(work):
     run = Run(work)
     run.fresh()
     said = run.commands()
-    # The draft goes with the window, and a lock with who has it.
-    known = {**run.left(), "draft.toml": False, "window.lock": False}
+    # The draft goes with the window, a lock with who has it, and a part of the links of bounced light with the whole.
+    known = {**run.left(), "draft.toml": False, "window.lock": False, "bounce/room.near-0.part": False}
     assert "farm/newest" in known, said
     plan = (run.show / ".ghost/farm/newest").read_text()
     known[f"farm/{plan}/submitting"] = False

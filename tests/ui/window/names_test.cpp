@@ -4,7 +4,6 @@
 #include "show/show.h"
 #include "support/test_window.h"
 #include "ui/panels/plot_panel.h"
-#include "ui/widgets/plain_labels.h"
 #include "ui/window/window.h"
 
 #include <QAbstractButton>
@@ -20,7 +19,9 @@
 #include <QMenuBar>
 #include <QMessageBox>
 #include <QSlider>
+#include <QStatusBar>
 #include <QTemporaryDir>
+#include <QToolTip>
 
 #include <filesystem>
 #include <utility>
@@ -130,11 +131,29 @@ TEST(Closing, asks_where_something_is_not_saved) {
     EXPECT_NE(read_text_file(file, 1 << 20)->find("[haze]"), std::string::npos);
 }
 
+// They come from files and networks.
+TEST(Names, mark_up_in_them_is_words_in_the_window_and_its_tool_tips) {
+    const QString name = "<b>Spot</b> <img src='file:///etc/passwd'>";
+    Link link;
+    Window window(link, WindowOptions{.remembers = false, .width = 900, .height = 600});
+    window.show();
+    QToolTip::showText({10, 10}, name, &window);
+    int tips = 0;
+    for (QWidget* const widget : QApplication::topLevelWidgets()) {
+        if (!widget->inherits("QTipLabel")) continue;
+        ++tips;
+        EXPECT_EQ(static_cast<QLabel*>(widget)->textFormat(), Qt::PlainText);
+    }
+    EXPECT_EQ(tips, 1);
+    QToolTip::hideText();
+    for (const QLabel* const label : window.statusBar()->findChildren<QLabel*>())
+        EXPECT_EQ(label->textFormat(), Qt::PlainText) << label->text().toStdString();
+}
+
 // Tags are drawn, not shown.
 TEST(Names, about_is_words) {
     Link link;
     Window window(link, WindowOptions{.remembers = false, .width = 900, .height = 600});
-    qApp->installEventFilter(new PlainLabels(&window));
     window.show();
     ASSERT_TRUE(window.actions().run("about").ok());
     settle();

@@ -4,7 +4,7 @@
 // pictures. It lies over the picture and goes with the first show. Window thread.
 
 #include "ui/actions/actions.h"
-#include "ui/model/recent_shows.h"
+#include "ui/window/recent_shows.h"
 
 #include <QLabel>
 #include <QListWidget>

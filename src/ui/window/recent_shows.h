@@ -1,13 +1,17 @@
 #pragma once
 // SPDX-License-Identifier: Apache-2.0
 // RecentShows: the shows that were opened last, newest first, each with a small picture of how it looked when
-// it was left. Kept in the user's settings and cache, never in the show. Window thread.
+// it was left. Those that are gone leave the list as soon as their disk has said so. Kept in the user's
+// settings and cache, never in the show. Window thread.
 
 #include "ui/model/app_model.h"
+#include "ui/model/disk_look.h"
 
 #include <QObject>
 #include <QString>
 
+#include <filesystem>
+#include <functional>
 #include <vector>
 
 namespace ghost::ui {
@@ -15,8 +19,9 @@ namespace ghost::ui {
 class RecentShows : public QObject {
     Q_OBJECT
 public:
-    // remembers false: none are known, and none are kept.
-    RecentShows(AppModel& app, bool remembers);
+    // remembers false: none are known, and none are kept. is_there: asked on a thread of its own.
+    using IsThere = std::function<bool(const std::filesystem::path& file)>;
+    RecentShows(AppModel& app, bool remembers, const IsThere& is_there = exists);
     ~RecentShows() override; // keeps the picture of the open one
 
     struct One {
@@ -31,6 +36,7 @@ Q_SIGNALS:
     void changed();
 
 private:
+    static bool exists(const std::filesystem::path& file);
     void take_opened();
     void keep_picture();
 
@@ -39,6 +45,7 @@ private:
     std::vector<One> shows_;
     QString open_;             // path
     bool has_picture_ = false; // of the open one
+    DiskLook disk_;
 };
 
 } // namespace ghost::ui

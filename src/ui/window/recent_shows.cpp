@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ui/model/recent_shows.h"
+#include "ui/window/recent_shows.h"
 #include "show/show.h"
 
 #include <QCryptographicHash>
@@ -9,6 +9,10 @@
 #include <QSaveFile>
 #include <QSettings>
 #include <QStandardPaths>
+
+#include <algorithm>
+#include <set>
+#include <utility>
 
 namespace ghost::ui {
 namespace {
@@ -22,16 +26,31 @@ QString picture_of(const QString& path) {
 
 } // namespace
 
-RecentShows::RecentShows(AppModel& app, bool remembers) : app_(app), remembers_(remembers) {
+bool RecentShows::exists(const std::filesystem::path& file) {
+    std::error_code code;
+    return std::filesystem::exists(file, code);
+}
+
+RecentShows::RecentShows(AppModel& app, bool remembers, const IsThere& is_there)
+    : app_(app), remembers_(remembers) {
     if (!remembers_) return;
     QSettings settings;
     const int count = std::min(settings.beginReadArray("recent shows"), kMost);
+    std::vector<std::filesystem::path> files;
     for (int i = 0; i < count; ++i) {
         settings.setArrayIndex(i);
         const QString path = settings.value("path").toString();
-        if (QFileInfo::exists(path))
-            shows_.push_back({path, settings.value("name").toString(), picture_of(path)});
+        shows_.push_back({path, settings.value("name").toString(), picture_of(path)});
+        files.emplace_back(path.toStdString());
     }
+    disk_.ask([this, files = std::move(files), is_there]() -> DiskLook::Then {
+        std::set<QString> gone;
+        for (const std::filesystem::path& file : files)
+            if (!is_there(file)) gone.insert(QString::fromStdString(file.string()));
+        return [this, gone = std::move(gone)] {
+            if (std::erase_if(shows_, is_gone) > 0) Q_EMIT changed();
+        };
+    });
     connect(&app_, &AppModel::opened_show, this, &RecentShows::take_opened);
     connect(&app_, &AppModel::picture_came, this, [this] { has_picture_ = true; });
 }
