@@ -44,8 +44,8 @@ struct MemoryRange {
 
 class DeviceMemory {
 public:
-    // limit_bytes: of all buffers and textures; 0: what the device has. has_budget: the driver says what is
-    // left, other programs counted in.
+    // limit_bytes: of all that the driver is asked for; 0: what the device has. has_budget: the driver says
+    // what is left, other programs counted in.
     DeviceMemory(const Device& device, std::uint64_t limit_bytes, bool has_budget);
     ~DeviceMemory();
     DeviceMemory(const DeviceMemory&) = delete;

@@ -103,6 +103,15 @@ TEST(Memory, thousands_of_small_ones_take_few_pieces) {
     EXPECT_EQ(device->validation_errors(), 0u);
 }
 
+// bufferImageGranularity: what lies in a driver's own order and what does not never meet.
+TEST(Memory, images_and_buffers_have_blocks_of_their_own) {
+    const auto device = device_with(0);
+    const Buffer buffer(*device, 100, Access::device), other(*device, 100, Access::device);
+    EXPECT_EQ(device->memory().pieces(), 1u);
+    const Texture texture(*device, {8, 8, 1, 1, VK_FORMAT_R8G8B8A8_UNORM});
+    EXPECT_EQ(device->memory().pieces(), 2u);
+}
+
 TEST(Memory, more_pieces_than_a_device_gives_is_memory_at_its_end) {
     const auto device = must(Device::create({.lowered_limits = {{"maxMemoryAllocationCount", 3}}}));
     std::vector<Buffer> large;
