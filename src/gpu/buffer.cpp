@@ -3,7 +3,6 @@
 
 #include "base/check.h"
 #include "gpu/commands.h"
-#include "gpu/device_memory.h"
 
 #include <algorithm>
 #include <cstring>
@@ -42,24 +41,14 @@ Buffer::Buffer(const Device& device, std::uint64_t bytes, Access access)
     : device_(&device), bytes_(std::max<std::uint64_t>(bytes, 16)) {
     const VkBufferCreateInfo info = buffer_info(bytes_);
     VK_CALL(vkCreateBuffer(device.handle(), &info, nullptr, &buffer_));
-    VkMemoryRequirements needs;
-    vkGetBufferMemoryRequirements(device.handle(), buffer_, &needs);
-    std::uint32_t type = 0;
     try {
-        memory_ = device.memory().allocate(needs, wanted_memory(access), type);
+        memory_ = device.memory().bind(buffer_, wanted_memory(access));
     } catch (...) {
         vkDestroyBuffer(device.handle(), buffer_, nullptr);
         throw;
     }
-    allocated_bytes_ = needs.size;
-    VK_CALL(vkBindBufferMemory(device.handle(), buffer_, memory_, 0));
-    // Mapping fails where the memory is not visible to the host; only then is staging needed.
-    VkPhysicalDeviceMemoryProperties memory;
-    vkGetPhysicalDeviceMemoryProperties(device.physical(), &memory);
-    const VkMemoryPropertyFlags has = memory.memoryTypes[type].propertyFlags;
-    if ((has & VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT) && (has & VK_MEMORY_PROPERTY_HOST_COHERENT_BIT))
-        VK_CALL(vkMapMemory(device.handle(), memory_, 0, VK_WHOLE_SIZE, 0, &mapped_));
-    CHECK(mapped_ != nullptr || access == Access::device);
+    // Where it is not visible to us, staging is needed.
+    CHECK(memory_.mapped || access == Access::device);
 }
 
 VkBuffer Buffer::on_worker(const Device& worker) const {
@@ -72,7 +61,7 @@ VkBuffer Buffer::on_worker(const Device& worker) const {
     VkBufferCreateInfo info = buffer_info(bytes_);
     info.pNext = &shared;
     VK_CALL(vkCreateBuffer(worker.handle(), &info, nullptr, &made.buffer));
-    made.memory = worker.memory().share(mapped_, allocated_bytes_);
+    made.memory = worker.memory().share(memory_.mapped, memory_.bytes);
     VK_CALL(vkBindBufferMemory(worker.handle(), made.buffer, made.memory, 0));
     on_workers_.push_back(made);
     return made.buffer;
@@ -85,7 +74,7 @@ Buffer::~Buffer() {
         vkFreeMemory(on.worker->handle(), on.memory, nullptr);
     }
     vkDestroyBuffer(device_->handle(), buffer_, nullptr);
-    device_->memory().release(memory_, allocated_bytes_);
+    device_->memory().release(memory_);
 }
 
 void Buffer::swap(Buffer& other) noexcept {
@@ -93,16 +82,14 @@ void Buffer::swap(Buffer& other) noexcept {
     std::swap(buffer_, other.buffer_);
     std::swap(memory_, other.memory_);
     std::swap(bytes_, other.bytes_);
-    std::swap(allocated_bytes_, other.allocated_bytes_);
-    std::swap(mapped_, other.mapped_);
     std::swap(on_workers_, other.on_workers_);
 }
 
 void Buffer::write(const void* data, std::uint64_t bytes) {
     CHECK(bytes <= bytes_);
     if (bytes == 0) return;
-    if (mapped_) {
-        std::memcpy(mapped_, data, bytes);
+    if (memory_.mapped) {
+        std::memcpy(memory_.mapped, data, bytes);
         return;
     }
     const Buffer staging(*device_, bytes, Access::upload);

@@ -5,6 +5,7 @@
 // write() stages otherwise.
 
 #include "gpu/device.h"
+#include "gpu/device_memory.h"
 
 #include <utility>
 #include <vector>
@@ -37,7 +38,7 @@ public:
     std::uint64_t bytes() const { return bytes_; }
     bool valid() const { return buffer_ != VK_NULL_HANDLE; }
     // Null where the memory is not visible to us; never null for readback and upload.
-    void* mapped() const { return mapped_; }
+    void* mapped() const { return memory_.mapped; }
 
     // Copies data to the start of the buffer and waits until it is there. Not while the GPU uses the buffer.
     void write(const void* data, std::uint64_t bytes);
@@ -57,10 +58,8 @@ private:
     };
     const Device* device_ = nullptr;
     VkBuffer buffer_ = VK_NULL_HANDLE;
-    VkDeviceMemory memory_ = VK_NULL_HANDLE;
+    MemoryRange memory_;
     std::uint64_t bytes_ = 0;
-    std::uint64_t allocated_bytes_ = 0;
-    void* mapped_ = nullptr;
     mutable std::vector<OnWorker> on_workers_; // those that have asked
 };
 

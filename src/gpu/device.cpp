@@ -299,6 +299,7 @@ Device::~Device() {
         pipelines_.reset(); // whoever gave it work waited for that (Commands)
         if (pipeline_cache_) pipeline_cache_->keep();
         pipeline_cache_.reset();
+        memory_.reset();
         vkDestroyDevice(device_, nullptr);
     }
     if (messenger_ != VK_NULL_HANDLE) {

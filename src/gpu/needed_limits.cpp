@@ -76,6 +76,8 @@ UsedLimits used_limits(const VkPhysicalDeviceLimits& limits, const LoweredLimits
         lowered_to(lowered, "maxComputeWorkGroupInvocations", limits.maxComputeWorkGroupInvocations));
     used.work_groups = static_cast<std::uint32_t>(
         lowered_to(lowered, "maxComputeWorkGroupCount", limits.maxComputeWorkGroupCount[0]));
+    used.memory_pieces = static_cast<std::uint32_t>(
+        lowered_to(lowered, "maxMemoryAllocationCount", limits.maxMemoryAllocationCount));
     used.timestamps =
         lowered_to(lowered, "timestampComputeAndGraphics", limits.timestampComputeAndGraphics) != 0;
     return used;

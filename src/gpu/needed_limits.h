@@ -33,6 +33,7 @@ struct UsedLimits {
     std::uint32_t image_side = 4096;            // maxImageDimension2D
     std::uint32_t work_group_invocations = 128; // maxComputeWorkGroupInvocations
     std::uint32_t work_groups = 65535;          // maxComputeWorkGroupCount, in x
+    std::uint32_t memory_pieces = 4096;         // maxMemoryAllocationCount
     bool timestamps = false;                    // timestampComputeAndGraphics: else spans have no times
 };
 UsedLimits used_limits(const VkPhysicalDeviceLimits& limits, const LoweredLimits& lowered);

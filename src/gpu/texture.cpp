@@ -4,7 +4,6 @@
 #include "base/check.h"
 #include "gpu/buffer.h"
 #include "gpu/commands.h"
-#include "gpu/device_memory.h"
 
 #include <algorithm>
 #include <cstring>
@@ -116,22 +115,17 @@ void finish_image(const Device& device, const TextureShape& shape, Texture::Hand
 Texture::Texture(const Device& device, const TextureShape& shape) : device_(&device), shape_(shape) {
     const VkImageCreateInfo info = image_info(device, shape);
     VK_CALL(vkCreateImage(device.handle(), &info, nullptr, &own_.image));
-    VkMemoryRequirements needs;
-    vkGetImageMemoryRequirements(device.handle(), own_.image, &needs);
-    bytes_ = needs.size;
-    std::uint32_t type = 0;
+    constexpr VkMemoryPropertyFlags kOurs =
+        VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT;
+    const bool ours = info.tiling == VK_IMAGE_TILING_LINEAR || !device.workers().empty();
     try {
-        constexpr VkMemoryPropertyFlags kOurs =
-            VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT;
-        const bool ours = info.tiling == VK_IMAGE_TILING_LINEAR || !device.workers().empty();
-        own_.memory =
-            device.memory().allocate(needs, VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT | (ours ? kOurs : 0), type);
+        memory_ = device.memory().bind(own_.image, info.tiling,
+                                       VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT | (ours ? kOurs : 0));
     } catch (...) {
         vkDestroyImage(device.handle(), own_.image, nullptr);
         throw;
     }
-    VK_CALL(vkBindImageMemory(device.handle(), own_.image, own_.memory, 0));
-    if (info.tiling == VK_IMAGE_TILING_LINEAR || !device.workers().empty()) map(type);
+    if (info.tiling == VK_IMAGE_TILING_LINEAR && memory_.mapped) find_texels();
     finish_image(device, shape, own_);
 }
 
@@ -146,26 +140,18 @@ const Texture::Handles& Texture::on_worker(const Device& worker) const {
     VK_CALL(vkCreateImage(worker.handle(), &info, nullptr, &made.image));
     VkMemoryRequirements needs;
     vkGetImageMemoryRequirements(worker.handle(), made.image, &needs);
-    CHECK_EQ(needs.size, bytes_);
-    made.memory = worker.memory().share(memory_at_, bytes_);
+    CHECK_EQ(needs.size, memory_.bytes);
+    made.memory = worker.memory().share(memory_.mapped, memory_.bytes);
     VK_CALL(vkBindImageMemory(worker.handle(), made.image, made.memory, 0));
     finish_image(worker, shape_, made);
     return on_workers_.emplace(&worker, made).first->second;
 }
 
-void Texture::map(std::uint32_t type) {
-    VkPhysicalDeviceMemoryProperties memory;
-    vkGetPhysicalDeviceMemoryProperties(device_->physical(), &memory);
-    const VkMemoryPropertyFlags has = memory.memoryTypes[type].propertyFlags;
-    if (!(has & VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT) || !(has & VK_MEMORY_PROPERTY_HOST_COHERENT_BIT)) return;
-    void* mapped = nullptr;
-    VK_CALL(vkMapMemory(device_->handle(), own_.memory, 0, VK_WHOLE_SIZE, 0, &mapped));
-    memory_at_ = static_cast<std::uint8_t*>(mapped);
-    if (!is_mapped(*device_, shape_)) return;
+void Texture::find_texels() {
     const VkImageSubresource first{VK_IMAGE_ASPECT_COLOR_BIT, 0, 0};
     VkSubresourceLayout layout;
     vkGetImageSubresourceLayout(device_->handle(), own_.image, &first, &layout);
-    mapped_ = memory_at_ + layout.offset;
+    mapped_ = memory_.mapped + layout.offset;
     row_bytes_ = layout.rowPitch;
     layer_bytes_ = layout.arrayPitch;
 }
@@ -214,7 +200,7 @@ Texture::~Texture() {
         vkFreeMemory(worker->handle(), handles.memory, nullptr);
     }
     destroy_image(*device_, own_);
-    device_->memory().release(own_.memory, bytes_);
+    device_->memory().release(memory_);
 }
 
 void Texture::swap(Texture& other) noexcept {
@@ -222,8 +208,7 @@ void Texture::swap(Texture& other) noexcept {
     std::swap(shape_, other.shape_);
     std::swap(own_, other.own_);
     std::swap(on_workers_, other.on_workers_);
-    std::swap(memory_at_, other.memory_at_);
-    std::swap(bytes_, other.bytes_);
+    std::swap(memory_, other.memory_);
     std::swap(mapped_, other.mapped_);
     std::swap(row_bytes_, other.row_bytes_);
     std::swap(layer_bytes_, other.layer_bytes_);

@@ -8,6 +8,7 @@
 // gathered at once.
 
 #include "gpu/device.h"
+#include "gpu/device_memory.h"
 
 #include <map>
 #include <span>
@@ -55,15 +56,15 @@ public:
         VkImage image = VK_NULL_HANDLE;
         VkImageView view = VK_NULL_HANDLE;
         VkSampler sampler = VK_NULL_HANDLE;
-        VkDeviceMemory memory = VK_NULL_HANDLE;
+        VkDeviceMemory memory = VK_NULL_HANDLE; // of a worker: the texture's, shared
     };
     // As commands on this device, or on one of its workers, name it. Main thread.
     const Handles& handles(const Device& on) const {
         return on.worker() < 0 || &on == device_ ? own_ : on_worker(on);
     }
     const TextureShape& shape() const { return shape_; }
-    VkImageAspectFlags aspect() const;             // colour or depth
-    std::uint64_t bytes() const { return bytes_; } // of device memory
+    VkImageAspectFlags aspect() const;                    // colour or depth
+    std::uint64_t bytes() const { return memory_.bytes; } // of device memory
     // Texels of a layer, where the device is this processor and shaders store to the only level; null
     // elsewhere. Ours while nothing is submitted.
     std::uint8_t* mapped(std::uint32_t layer = 0) const {
@@ -73,7 +74,7 @@ public:
 
 private:
     void swap(Texture& other) noexcept;
-    void map(std::uint32_t type);
+    void find_texels();
     const Handles& on_worker(const Device& worker) const;
     void upload(std::uint32_t level, std::uint32_t layer, std::uint32_t layers, const void* data,
                 std::uint64_t bytes);
@@ -82,8 +83,7 @@ private:
     TextureShape shape_;
     Handles own_;
     mutable std::map<const Device*, Handles> on_workers_; // those that have asked
-    std::uint64_t bytes_ = 0;
-    std::uint8_t* memory_at_ = nullptr; // where all of it is, of a device with workers
+    MemoryRange memory_;
     std::uint8_t* mapped_ = nullptr;
     std::uint64_t row_bytes_ = 0, layer_bytes_ = 0;
 };

@@ -11,7 +11,8 @@ namespace {
 
 constexpr std::uint64_t kFirstStaged_bytes = std::uint64_t{1} << 20;
 constexpr std::uint64_t kMostStaged_bytes = std::uint64_t{32} << 20; // beyond, a submission more
-constexpr std::uint64_t kStagedAlign = 16;                           // a texel of any format
+constexpr std::uint64_t kPartOfMemory = 16; // that is left: it is wanted for what stays
+constexpr std::uint64_t kStagedAlign = 16;  // a texel of any format
 
 } // namespace
 
@@ -25,8 +26,8 @@ void Uploads::add(const Texture& to, std::uint32_t layer, std::uint32_t level, c
     if (bytes == 0) return;
     if (used_ + bytes > staging_.bytes()) {
         finish();
-        const std::uint64_t wanted =
-            std::min(std::max(2 * staging_.bytes(), kFirstStaged_bytes), kMostStaged_bytes);
+        const std::uint64_t most = std::min(kMostStaged_bytes, device_.memory().left_bytes() / kPartOfMemory);
+        const std::uint64_t wanted = std::min(std::max(2 * staging_.bytes(), kFirstStaged_bytes), most);
         if (wanted > staging_.bytes() || bytes > staging_.bytes()) {
             staging_ = Buffer();
             staging_ = Buffer(device_, std::max(wanted, bytes), Access::upload);

@@ -60,6 +60,7 @@ TEST(Batches, ADeviceThatHasJustEnoughDrawsTheSamePicture) {
     const image::ImageF usual = picture_of(moment, shared::kLightsPerChunk);
     for (const auto& [name, value] : gpu::LoweredLimits{{"maxComputeWorkGroupInvocations", 256},
                                                         {"maxImageArrayLayers", 256},
+                                                        {"maxMemoryAllocationCount", 64},
                                                         {"timestampComputeAndGraphics", 0}}) {
         const image::ImageF lowered = picture_of(moment, shared::kLightsPerChunk, {{name, value}});
         const image::PicturePair pair = pair_of(lowered, usual);

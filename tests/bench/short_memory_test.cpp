@@ -3,6 +3,7 @@
 // nothing fails.
 #include "bench/bench_views.h"
 #include "gpu/device_memory.h"
+#include "render/haze/memory_order.h"
 #include "support/live_picture.h"
 #include "support/must.h"
 
@@ -59,7 +60,8 @@ struct Outcome {
     std::string messages;
 };
 
-Outcome drawn_with(std::uint64_t limit_bytes, const scene::DistanceMaps& maps = scene_of_400().maps) {
+Outcome drawn_with(std::uint64_t limit_bytes, const scene::DistanceMaps& maps = scene_of_400().maps,
+                   std::uint32_t lights_per_dispatch = 0) {
     const auto device = must(gpu::Device::create({.validation = true, .memory_limit_bytes = limit_bytes}));
     const gpu::Device& gpu = *device;
     const Scene& scene = scene_of_400();
@@ -71,6 +73,7 @@ Outcome drawn_with(std::uint64_t limit_bytes, const scene::DistanceMaps& maps = 
         render::GBuffer g_buffer(gpu, scene.camera.width, scene.camera.height);
         render::Settings settings = bench_settings();
         settings.image_memory_bytes = 64 * kMB;
+        settings.lights_per_dispatch = lights_per_dispatch;
         g_buffer.draw(model,
                       {scene::camera_to_world(scene.camera), scene.camera.fov_y_deg, scene.camera.width,
                        scene.camera.height},
@@ -160,6 +163,47 @@ TEST(ShortMemory, four_hundred_lights_are_drawn_with_less) {
         std::printf("[ %4.1f MB ] %s", static_cast<double>(limit) / kMB, less.messages.c_str());
     }
     EXPECT_LT(side, all.side);
+}
+
+// Less and less memory: tables go first, maps when all else has less already, and what was short stays short.
+TEST(ShortMemory, what_goes_first_stands_first_in_the_table) {
+    const std::uint64_t before = drawn_with(0).before_bytes;
+    std::size_t named = 0;
+    for (const std::uint64_t mb : {2000, 62, 40, 24}) {
+        const Outcome less = drawn_with(before + mb * kMB);
+        std::printf("[ %4d MB ] %s", static_cast<int>(mb), less.messages.c_str());
+        std::vector<render::Kept> short_of;
+        std::size_t last = 0;
+        for (const render::MemoryShare& share : render::kMemoryOrder) {
+            const std::size_t at = less.messages.find(std::string(share.after) + " instead of");
+            if (at == std::string::npos) continue;
+            EXPECT_GT(at, last) << less.messages;
+            last = at;
+            short_of.push_back(share.kept);
+        }
+        ASSERT_FALSE(short_of.empty()) << mb;
+        EXPECT_EQ(short_of.front(), render::Kept::tables);
+        EXPECT_EQ(short_of.back() == render::Kept::maps, short_of.size() == 4u) << less.messages;
+        EXPECT_GE(short_of.size(), named);
+        named = short_of.size();
+        EXPECT_EQ(warnings_in(less.messages), 1u);
+    }
+    EXPECT_EQ(named, 4u) << "all that lights one by one have";
+}
+
+// Where many share a dispatch each of them has a table: fewer share one.
+TEST(ShortMemory, fewer_lights_are_drawn_at_once) {
+    const Outcome all = drawn_with(0, scene_of_400().maps, shared::kLightsPerChunk);
+    EXPECT_EQ(all.messages, "");
+    const Outcome less =
+        drawn_with(all.before_bytes + 100 * kMB, scene_of_400().maps, shared::kLightsPerChunk);
+    EXPECT_EQ(less.side, all.side);
+    EXPECT_NE(less.messages.find(" lights at once instead of 128"), std::string::npos) << less.messages;
+    EXPECT_EQ(warnings_in(less.messages), 1u) << less.messages;
+    EXPECT_LT(less.used_bytes, all.before_bytes + 100 * kMB);
+    const double off = apart(less.picture, all.picture);
+    std::printf("%.5f apart with %s", off, less.messages.c_str());
+    EXPECT_LT(off, 0.001);
 }
 
 } // namespace

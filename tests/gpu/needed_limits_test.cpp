@@ -26,9 +26,11 @@ TEST(NeededLimits, ADeviceThatHasLessIsRefusedByName) {
 }
 
 TEST(NeededLimits, WhatIsOnlyMadeUseOfMayBeLow) {
-    const auto device = must(Device::create(
-        {.lowered_limits = {{"maxImageArrayLayers", 256}, {"timestampComputeAndGraphics", 0}}}));
+    const auto device = must(Device::create({.lowered_limits = {{"maxImageArrayLayers", 256},
+                                                                {"maxMemoryAllocationCount", 4096},
+                                                                {"timestampComputeAndGraphics", 0}}}));
     EXPECT_EQ(device->limits().image_layers, 256u);
+    EXPECT_LE(device->limits().memory_pieces, 4096u);
     EXPECT_FALSE(device->limits().timestamps);
 }
 

@@ -93,8 +93,8 @@ void Engine::replace_device(const std::string& why) {
     open_on_new_device(why);
 }
 
-// What draws plans by the memory that there is: kept pictures go first, then the size of shadow maps, then
-// that of the picture, each with a word.
+// What draws plans by the memory that there is: first less is kept (render/haze/memory_order.h), then shadow
+// maps are smaller, then the picture, each with a word.
 void Engine::draw_with_less(const std::string& why) {
     log_warning(why);
     if (!session_ || ++losses_ > kMostLosses) throw std::runtime_error(why);

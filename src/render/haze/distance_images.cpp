@@ -2,7 +2,7 @@
 #include "render/haze/distance_images.h"
 
 #include "base/check.h"
-#include "gpu/device_memory.h"
+#include "render/haze/memory_order.h"
 #include "render/haze/private/blockers.h"
 
 #include <algorithm>
@@ -35,7 +35,7 @@ gpu::TextureShape blockers_shape(std::uint32_t side, std::uint32_t layers) {
 std::uint32_t side_that_fits(const gpu::Device& device, const scene::DistanceMaps& maps) {
     auto side = static_cast<std::uint32_t>(std::max(maps.size, 1));
     const std::uint32_t layers = layers_of(device, maps);
-    const std::uint64_t room = device.memory().left_bytes() / 2;
+    const std::uint64_t room = share_of(Kept::maps, device);
     while (side % 2 == 0 && side > kLeastSide &&
            gpu::texture_bytes(device, texels_shape(side, layers)) +
                    gpu::texture_bytes(device, blockers_shape(side, layers)) >

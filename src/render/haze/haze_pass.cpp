@@ -2,7 +2,6 @@
 #include "render/haze/haze_pass.h"
 
 #include "base/check.h"
-#include "gpu/device_memory.h"
 #include "render/haze/fan.h"
 #include "render/haze/private/haze_grid.h"
 #include "shaders/fan.h"
@@ -22,7 +21,8 @@ constexpr std::uint64_t kChunkBytes = shared::kLightsPerChunk * sizeof(shared::F
 constexpr std::uint32_t kRowsPerGroup = 16; // fan.comp
 // While things move shades are coarse from here on, and where light is coarse: else that costs 3 dB of 47.
 constexpr std::size_t kManyTables = 24;
-constexpr std::uint64_t kFanBytes = std::uint64_t{6} << 20; // tables and grid
+constexpr std::uint64_t kFanBytes = std::uint64_t{6} << 20;      // tables and grid
+constexpr std::uint64_t kBatchFanBytes = std::uint64_t{4} << 20; // tables alone
 // From here on shaped beams have plain tables: many lie over each other.
 constexpr std::uint32_t kManyLights = 100;
 constexpr std::uint32_t kOfPlaces = 2; // kFocus of gate.comp, for shaped beams
@@ -36,11 +36,10 @@ std::uint32_t rows_of(const shared::Fan& fan, bool shaped) {
     return rows;
 }
 
-// Lights whose tables are kept: where memory is short, fewer.
-std::uint32_t kept_fans(const gpu::Device& device, std::uint32_t light_count, std::uint32_t most) {
-    const std::uint64_t room = device.memory().left_bytes() / 16 / kFanBytes;
-    return std::max(std::min(light_count, static_cast<std::uint32_t>(std::min<std::uint64_t>(room, most))),
-                    1u);
+std::uint32_t tables_that_fit(const gpu::Device& device, std::uint32_t wanted, bool single) {
+    const std::uint64_t room =
+        single ? share_of(Kept::tables, device) / kFanBytes : share_of(Kept::batch, device) / kBatchFanBytes;
+    return static_cast<std::uint32_t>(std::clamp<std::uint64_t>(room, 1, wanted));
 }
 
 // A bit more than half a texel of a distance map: what the edge of a shadow may be off. A whole texel costs
@@ -63,10 +62,12 @@ std::uint64_t fan_buffer_bytes(std::uint32_t light_count) {
 HazePass::HazePass(const gpu::Device& device, const HazeIntegrator& settings, const Fragments& fragments,
                    std::uint32_t batch_size, std::uint32_t light_count, const DistanceImages* distances,
                    FanDetail detail, std::uint32_t most_kept)
-    : settings_(settings), batch_size_(batch_size), distances_(distances),
-      detail_(light_count < kManyLights ? detail : FanDetail::plain) {
+    : settings_(settings), batch_size_(batch_size),
+      wanted_tables_(std::clamp(light_count, 1u, batch_size == 1 ? most_kept : batch_size)),
+      tables_(settings.beams == Beams::gate ? tables_that_fit(device, wanted_tables_, batch_size == 1)
+                                            : wanted_tables_),
+      distances_(distances), detail_(light_count < kManyLights ? detail : FanDetail::plain) {
     const std::uint32_t single = batch_size == 1 ? 1 : 0;
-    const std::uint32_t kept = kept_fans(device, light_count, most_kept); // of single lights
     if (settings.beams != Beams::gate) {
         for (std::uint32_t kind = 0; kind < shared::kBeamClasses; ++kind) {
             samples_[kind] = gpu::LateProgram(device, shaders::kShader_haze,
@@ -98,7 +99,7 @@ HazePass::HazePass(const gpu::Device& device, const HazeIntegrator& settings, co
         if (settings.most_wide_step > 1) (void)wide_gate_[focus].get();
     }
     if (settings.grid && batch_size == 1)
-        grid_ = std::make_unique<GridPass>(device, fragments.width, fragments.height, kept,
+        grid_ = std::make_unique<GridPass>(device, fragments.width, fragments.height, tables_,
                                            distances != nullptr, settings.uneven);
     no_rays_ = gpu::Texture(device, {1, 1, 1, 1, VK_FORMAT_R16G16B16A16_SFLOAT, true, false});
     no_lonely_ = gpu::Texture(device, {1, 1, 1, 1, VK_FORMAT_R16_UINT, true, false});
@@ -106,15 +107,14 @@ HazePass::HazePass(const gpu::Device& device, const HazeIntegrator& settings, co
         shade_fill_ =
             std::make_unique<gpu::Program>(device, shaders::kShader_fan_shade, std::vector{0u, single});
     fans_ = gpu::Buffer(device, fan_buffer_bytes(light_count), gpu::Access::upload);
-    const std::uint32_t layers = batch_size == 1 ? kept : std::clamp(light_count, 1u, batch_size);
-    if (batch_size == 1) filled_.resize(layers);
+    if (batch_size == 1) filled_.resize(tables_);
     // Sums in 0..1: 16 bits are enough, half floats are not (3 % in the narrowest segments).
     constexpr std::array kFormats{VK_FORMAT_R16G16B16A16_UNORM, VK_FORMAT_R32G32B32A32_SFLOAT};
     const VkFormat format = device.first_format(
         kFormats, VK_FORMAT_FEATURE_STORAGE_IMAGE_BIT | VK_FORMAT_FEATURE_SAMPLED_IMAGE_FILTER_LINEAR_BIT);
-    table_ = gpu::Texture(device, {shared::kFanWidth, shared::kFinestFan, layers, 1, format, true, true});
-    shade_ = gpu::Texture(device, {2 * shared::kFinestShade, 2 * shared::kFinestShade, distances ? layers : 1,
-                                   1, VK_FORMAT_R32G32_SFLOAT, true, false});
+    table_ = gpu::Texture(device, {shared::kFanWidth, shared::kFinestFan, tables_, 1, format, true, true});
+    shade_ = gpu::Texture(device, {2 * shared::kFinestShade, 2 * shared::kFinestShade,
+                                   distances ? tables_ : 1, 1, VK_FORMAT_R32G32_SFLOAT, true, false});
     // Filtering may touch, with no weight, texels that no fan has filled.
     gpu::Commands commands(device);
     commands.begin();

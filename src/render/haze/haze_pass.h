@@ -8,6 +8,7 @@
 #include "render/haze/fan.h"
 #include "render/haze/grid_pass.h"
 #include "render/haze/light_chunk.h"
+#include "render/haze/memory_order.h"
 #include "render/haze/quality.h"
 #include "shared/optics.h"
 
@@ -65,6 +66,11 @@ public:
     void begin_frame() { fans_used_ = 0; }
     // Adds to layer 1 of the chunk's drawn image, or to the rays of its wide beams.
     void record(gpu::Commands& commands, const LightChunk& chunk);
+    // Of a chunk: each has its table at the same time where many share a dispatch.
+    std::uint32_t most_lights() const { return batch_size_ == 1 ? shared::kLightsPerChunk : tables_; }
+    Shortage shortage() const {
+        return {batch_size_ == 1 ? Kept::tables : Kept::batch, tables_, wanted_tables_};
+    }
     std::uint64_t memory_bytes() const {
         return table_.bytes() + shade_.bytes() + fans_.bytes() + (grid_ ? grid_->memory_bytes() : 0);
     }
@@ -82,6 +88,7 @@ private:
 
     HazeIntegrator settings_;
     std::uint32_t batch_size_;
+    std::uint32_t wanted_tables_, tables_; // the second is less where memory is short
     std::array<gpu::LateProgram, shared::kBeamClasses> samples_, fill_;
     std::array<gpu::LateProgram, 3> gate_, wide_gate_, thin_gate_; // by kFocus of gate.comp
     gpu::LateProgram panel_gate_, wide_panel_gate_;                // which have nothing in focus

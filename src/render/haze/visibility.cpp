@@ -28,23 +28,35 @@ std::uint32_t units_of(const Fragments& f) {
     return f.tiles_x * f.tiles_y + static_cast<std::uint32_t>(extras / shared::kTilePixels) + 1;
 }
 
+struct Pool {
+    std::uint64_t places, pages;
+    std::uint64_t bytes(std::uint64_t units) const {
+        return places * units * kEntryBytes + pages * kPageBytes;
+    }
+};
+
+Pool pool_of(std::uint64_t memory_bytes, std::uint64_t units, std::size_t map_count) {
+    // A quarter for entries at most: lights beyond keep nothing.
+    const std::uint64_t places = std::min<std::uint64_t>(map_count, memory_bytes / 4 / (kEntryBytes * units));
+    const std::uint64_t all = places * units;
+    const std::uint64_t wanted = std::min(all, std::max(kFewPlaces * units, all / kUsual));
+    const std::uint64_t room = (memory_bytes - all * kEntryBytes) / kPageBytes;
+    const std::uint64_t most = kMostLayers * shared::kPagesOfLayer;
+    return {places, std::max<std::uint64_t>(std::min({wanted, room, most}), 1)};
+}
+
 } // namespace
 
 Visibility::Visibility(const gpu::Device& device, const Fragments& fragments, const gpu::Buffer& rooms,
-                       std::size_t map_count, std::uint64_t draws, std::uint64_t memory_bytes)
+                       std::size_t map_count, std::uint64_t draws, std::uint64_t most_bytes)
     : fragments_(fragments), rooms_(rooms), touch_(device, shaders::kShader_visibility_touch),
       units_(units_of(fragments)),
       touched_(static_cast<int>(fragments.width), static_cast<int>(fragments.height)) {
-    // A quarter for entries at most: lights beyond keep nothing.
-    const std::uint64_t entries =
-        std::min<std::uint64_t>(map_count, memory_bytes / 4 / (kEntryBytes * units_));
-    places_.resize(entries);
-    const std::uint64_t all = entries * units_;
-    const std::uint64_t wanted = std::min(all, std::max(kFewPlaces * units_, all / kUsual));
-    const std::uint64_t room = (memory_bytes - entries * units_ * kEntryBytes) / kPageBytes;
-    const std::uint64_t most = kMostLayers * shared::kPagesOfLayer;
-    const std::uint64_t count = std::max<std::uint64_t>(std::min({wanted, room, most}), 1);
-    const std::uint64_t rows = (count + shared::kPagesAcross - 1) / shared::kPagesAcross;
+    const Pool pool = pool_of(std::min(most_bytes, share_of(Kept::visibility, device)), units_, map_count);
+    shortage_.has = pool.bytes(units_) >> 10;
+    shortage_.wanted = pool_of(most_bytes, units_, map_count).bytes(units_) >> 10;
+    places_.resize(pool.places);
+    const std::uint64_t rows = (pool.pages + shared::kPagesAcross - 1) / shared::kPagesAcross;
     const std::uint64_t layers = (rows + shared::kPagesAcross - 1) / shared::kPagesAcross;
     const std::uint64_t rows_of_layer = layers > 1 ? shared::kPagesAcross : rows;
     page_count_ = static_cast<std::uint32_t>(layers * rows_of_layer * shared::kPagesAcross);
@@ -52,7 +64,7 @@ Visibility::Visibility(const gpu::Device& device, const Fragments& fragments, co
         gpu::Texture(device, {shared::kPagesAcross * shared::kTileWidth,
                               static_cast<std::uint32_t>(rows_of_layer) * shared::kTileHeight,
                               static_cast<std::uint32_t>(layers), 1, VK_FORMAT_R16G16_UNORM, true, false});
-    entries_ = gpu::Buffer(device, kHeadBytes + all * kEntryBytes, gpu::Access::device);
+    entries_ = gpu::Buffer(device, kHeadBytes + pool.places * units_ * kEntryBytes, gpu::Access::device);
     changed_at_ = gpu::Buffer(device, std::uint64_t{4} * units_, gpu::Access::device);
     tile_list_ = gpu::Buffer(device, kMostTouched * sizeof(std::uint32_t), gpu::Access::device);
     keeps_ = gpu::Buffer(device, draws * kKeepAlign + kKeepBytes, gpu::Access::upload);

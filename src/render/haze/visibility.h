@@ -12,6 +12,7 @@
 #include "gpu/texture.h"
 #include "render/geometry/fragments.h"
 #include "render/geometry/screen_area.h"
+#include "render/haze/memory_order.h"
 #include "shared/types.h"
 #include "shared/visibility.h"
 
@@ -23,9 +24,9 @@ namespace ghost::render {
 class Visibility {
 public:
     // rooms: shared::TileRoom of each tile. map_count: distance maps; one place each. draws: chunks of a
-    // frame, at most. memory_bytes: at most, for pages and entries.
+    // frame, at most. most_bytes: for pages and entries; fewer where memory is short.
     Visibility(const gpu::Device& device, const Fragments& fragments, const gpu::Buffer& rooms,
-               std::size_t map_count, std::uint64_t draws, std::uint64_t memory_bytes);
+               std::size_t map_count, std::uint64_t draws, std::uint64_t most_bytes);
 
     // Everything is stale: the camera moved, or shadows changed.
     void forget() { forgotten_ = true; }
@@ -47,6 +48,7 @@ public:
     const gpu::Texture& pages() const { return pages_; }
     std::uint32_t page_count() const { return page_count_; }
     std::uint32_t units() const { return units_; }
+    Shortage shortage() const { return shortage_; }
     std::uint64_t memory_bytes() const {
         return keeps_.bytes() + entries_.bytes() + changed_at_.bytes() + tile_list_.bytes() + pages_.bytes();
     }
@@ -66,6 +68,7 @@ private:
     std::vector<Place> places_;
     std::uint32_t units_;
     std::uint32_t page_count_ = 0;
+    Shortage shortage_{Kept::visibility};
     std::uint32_t now_ = 1;
     bool forgotten_ = true;
     int frames_ = kLeastFrames; // since the pool began

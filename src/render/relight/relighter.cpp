@@ -3,7 +3,6 @@
 
 #include "base/check.h"
 #include "base/log.h"
-#include "gpu/device_memory.h"
 #include "render/pixels/processor.h"
 #include "shaders/develop.h"
 #include "shaders/meter.h"
@@ -24,7 +23,6 @@ namespace {
 constexpr std::uint64_t kImageBytesPerPixel = 8; // six half floats for two pixels, and room
 constexpr std::uint64_t kMaxLayers = 2048;       // of an image, on every device
 constexpr std::uint32_t kFixedImages = 1;        // all that rests
-constexpr std::uint64_t kShareOfMemory = 8;      // that is left, for kept visibility
 constexpr std::uint64_t kFrameBytesPerPixel = 8; // four half floats
 
 static_assert(static_cast<std::uint32_t>(image::Tone::agx) == shared::kToneAgx &&
@@ -111,9 +109,8 @@ Relighter::Relighter(const gpu::Device& device, PassImages passes, const GBuffer
     // See LightPainter.
     const std::uint64_t draws = kMostDraws * static_cast<std::uint64_t>(light_count) + shared::kBeamClasses;
     if (g_buffer && distances && settings.visibility_bytes > 0)
-        visibility_ = std::make_unique<Visibility>(
-            device, fragments(), rooms(), distances->count(), draws,
-            std::min(settings.visibility_bytes, device.memory().left_bytes() / kShareOfMemory));
+        visibility_ = std::make_unique<Visibility>(device, fragments(), rooms(), distances->count(), draws,
+                                                   settings.visibility_bytes);
     no_pages_ = gpu::Texture(device, {1, 1, 1, 1, VK_FORMAT_R16G16_UNORM, true, false});
     nothing_ = gpu::Buffer(device, LightPainter::kChunkAlign, gpu::Access::device);
     upload(gobos);
@@ -304,9 +301,8 @@ void Relighter::make_images() {
     const std::uint32_t across = coarse_ ? f.width : (f.width + 1) / 2;
     gpu::TextureShape shape{across, f.height, 1, 1, VK_FORMAT_R32G32B32A32_UINT, true, false};
     const std::uint64_t one = gpu::texture_bytes(device_, shape);
-    const std::uint64_t left = device_.memory().left_bytes();
-    const std::uint64_t spare = left / 8 + (kFixedImages + 1) * one; // pictures that are read back, uploads
-    const std::uint64_t room = (left - std::min(left, spare)) / one;
+    const std::uint64_t share = share_of(Kept::images, device_); // else pictures that are read back, uploads
+    const std::uint64_t room = (share - std::min(share, (kFixedImages + 1) * one)) / one;
     const int wanted = image_slots(settings_.image_memory_bytes, static_cast<int>(2 * across),
                                    static_cast<int>(f.height), light_count_);
     slot_count_ = static_cast<int>(std::min<std::uint64_t>(room, static_cast<std::uint64_t>(wanted)));
@@ -331,16 +327,15 @@ void Relighter::make_images() {
         std::all_of(lit.begin(), lit.end(),
                     [](const gpu::Texture* texture) { return texture->mapped() != nullptr; });
 
-    std::string lowered;
-    if (distances_ && distances_->side() < distances_->wanted_side())
-        lowered += ", shadow maps of " + std::to_string(distances_->side()) + " texels a side instead of " +
-                   std::to_string(distances_->wanted_side());
-    if (slot_count_ < wanted)
-        lowered += ", " + std::to_string(slot_count_) + " kept images instead of " + std::to_string(wanted);
-    if (!lowered.empty())
+    std::vector<Shortage> shortages{
+        main_.haze.shortage(),
+        {Kept::images, static_cast<std::uint64_t>(slot_count_), static_cast<std::uint64_t>(wanted)}};
+    if (visibility_) shortages.push_back(visibility_->shortage());
+    if (distances_) shortages.push_back({Kept::maps, distances_->side(), distances_->wanted_side()});
+    if (const std::string lowered = sentence_of(shortages); !lowered.empty())
         log_warning("memory of " + device_.name() + " is short for " + std::to_string(light_count_) +
-                    " lights at " + std::to_string(f.width) + "x" + std::to_string(f.height) + ":" +
-                    lowered.substr(1));
+                    " lights at " + std::to_string(f.width) + "x" + std::to_string(f.height) + ": " +
+                    lowered);
 }
 
 FrameStatistics Relighter::draw(const std::vector<shared::Light>& lights) {

@@ -226,7 +226,7 @@ bool Relighter::draw_share(LightPainter& painter, const ImageSum& sum, const std
                 continue;
             chunk.push_back(light);
             if (leaves) left.push_back(index);
-            if (chunk.size() == (stop_ ? 1 : shared::kLightsPerChunk)) {
+            if (chunk.size() == (stop_ ? 1 : painter.haze.most_lights())) {
                 if (!draw_lights(painter, chunk, left, beam_class, is_wide) || wants_stop(painter))
                     return false;
                 chunk.clear();
