@@ -115,10 +115,14 @@ Result<std::set<std::size_t>> fixtures_of(const scene::PlotPage& page, const std
 
 Result<void> substitute(AppModel& app, ShowDocument& document, const std::vector<Substitute>& all) {
     TRY_VOID(document.check_editable());
-    std::string text = document.text();
+    std::vector<std::string> inside;
     for (const Substitute& one : all) {
-        TRY(const std::string inside, PatchEdit(app, document).fixture_beside_show(one.file));
-        TRY(text, scene::set_substitute(text, one.wanted, inside, one.mode));
+        TRY(std::string file, PatchEdit(app, document).fixture_beside_show(one.file));
+        inside.push_back(std::move(file));
+    }
+    std::string text = document.text(); // as it is when they are there
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        TRY(text, scene::set_substitute(text, all[i].wanted, inside[i], all[i].mode));
     }
     const QString what =
         all.size() == 1

@@ -1,23 +1,21 @@
 #pragma once
 // SPDX-License-Identifier: Apache-2.0
 // What goes by index, carried over to a show that counts otherwise: another text of it, its next version, or
-// one that was made of a plot. Fixtures are the same by their object of the plot, else by name; movers,
-// objects and materials by name. Pure.
+// one that was made of a plot. Which fixture is which says show/same_fixtures.h; movers, objects and
+// materials go by name. Pure.
 
 #include "link/link.h"
+#include "show/same_fixtures.h"
 #include "show/show.h"
 
 #include <algorithm>
 #include <cstddef>
-#include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
 namespace ghost::ui {
-
-// Of old names to new ones.
-using Renamed = std::map<std::string, std::string>;
 
 // Where its like stands: at the same index, else the first one. Nothing: nowhere.
 template <class T, class F>
@@ -37,33 +35,36 @@ bool counts_otherwise(const std::vector<T>& before, const std::vector<T>& now, F
     return !std::equal(before.begin(), before.begin() + count, now.begin(), is_same);
 }
 
-inline bool is_same_fixture(const scene::PatchedFixture& a, const scene::PatchedFixture& b) {
-    return a.uuid == b.uuid && (!a.uuid.empty() || a.name == b.name);
-}
-
 inline constexpr auto kIsCalledSo = [](const auto& a, const auto& b) { return a.name == b.name; };
 
-inline std::optional<std::size_t> fixture_of(std::size_t index, const scene::Show& before,
-                                             const scene::Show& now, const Renamed& renamed = {}) {
-    return place_of(index, before.fixtures, now.fixtures,
-                    [&](const scene::PatchedFixture& a, const scene::PatchedFixture& b) {
-                        const auto other = renamed.find(a.name);
-                        return other != renamed.end() && a.uuid == b.uuid ? other->second == b.name
-                                                                          : is_same_fixture(a, b);
-                    });
+// Those that are there.
+inline std::set<std::size_t> carried(const std::set<std::size_t>& fixtures, const scene::Show& before,
+                                     const scene::Show& now) {
+    std::set<std::size_t> carried;
+    const std::vector<std::optional<std::size_t>> same = scene::same_fixtures(before, now);
+    for (std::size_t i = 0; i < same.size(); ++i)
+        if (same[i] && fixtures.contains(*same[i])) carried.insert(i);
+    return carried;
+}
+
+inline std::optional<std::size_t> carried(const std::optional<std::size_t>& fixture,
+                                          const scene::Show& before, const scene::Show& now) {
+    if (!fixture) return std::nullopt;
+    const std::set<std::size_t> there = carried(std::set{*fixture}, before, now);
+    return there.empty() ? std::nullopt : std::optional(*there.begin());
 }
 
 // Fixtures and movers of it; all else stays.
-inline Look carried(const Look& look, const scene::Show& before, const scene::Show& now,
-                    const Renamed& renamed = {}) {
+inline Look carried(const Look& look, const scene::Show& before, const scene::Show& now) {
     Look carried = look;
     carried.fixtures.clear();
-    carried.solo.clear();
+    carried.solo = ui::carried(look.solo, before, now);
     carried.movers.clear();
-    for (const auto& [index, programmer] : look.fixtures)
-        if (const auto place = fixture_of(index, before, now, renamed)) carried.fixtures[*place] = programmer;
-    for (const std::size_t index : look.solo)
-        if (const auto place = fixture_of(index, before, now, renamed)) carried.solo.insert(*place);
+    const std::vector<std::optional<std::size_t>> same = scene::same_fixtures(before, now);
+    for (std::size_t i = 0; i < same.size(); ++i)
+        if (const auto held = same[i] ? look.fixtures.find(*same[i]) : look.fixtures.end();
+            held != look.fixtures.end())
+            carried.fixtures[i] = held->second;
     for (const auto& [index, values] : look.movers)
         if (const auto place = place_of(index, before.movers, now.movers, kIsCalledSo);
             place && now.movers[*place].axes.size() == values.size())
@@ -71,7 +72,22 @@ inline Look carried(const Look& look, const scene::Show& before, const scene::Sh
     return carried;
 }
 
-// Likewise objects and materials, too.
+// Names of the fixtures and movers that hands hold and that are not there any more.
+inline std::vector<std::string> lost_of(const Look& look, const scene::Show& before, const scene::Show& now) {
+    std::vector<std::string> lost;
+    std::set<std::size_t> left;
+    for (const std::optional<std::size_t>& one : scene::same_fixtures(before, now))
+        if (one) left.insert(*one);
+    for (const auto& [index, programmer] : look.fixtures)
+        if (index < before.fixtures.size() && !left.contains(index))
+            lost.push_back(before.fixtures[index].name);
+    for (const auto& [index, values] : look.movers)
+        if (index < before.movers.size() && !place_of(index, before.movers, now.movers, kIsCalledSo))
+            lost.push_back(before.movers[index].name);
+    return lost;
+}
+
+// As `carried`, objects and materials, too.
 inline Look carried(const Look& look, const Opened& before, const Opened& now) {
     Look carried = ui::carried(look, *before.show, *now.show);
     carried.shown.clear();
