@@ -54,6 +54,16 @@ inline std::optional<std::size_t> carried(const std::optional<std::size_t>& fixt
     return there.empty() ? std::nullopt : std::optional(*there.begin());
 }
 
+// What is said of each of them; of one that is new, what `now_said` says.
+template <class T>
+std::vector<T> carried(const std::vector<T>& said, std::vector<T> now_said, const scene::Show& before,
+                       const scene::Show& now) {
+    const std::vector<std::optional<std::size_t>> same = scene::same_fixtures(before, now);
+    for (std::size_t i = 0; i < same.size(); ++i)
+        if (same[i] && *same[i] < said.size()) now_said.at(i) = said[*same[i]];
+    return now_said;
+}
+
 // Fixtures and movers of it; all else stays.
 inline Look carried(const Look& look, const scene::Show& before, const scene::Show& now) {
     Look carried = look;

@@ -31,22 +31,14 @@ RigNow rig_at_home(const scene::Show& show) {
 
 // What is said of the fixtures of the show that is drawn, for those of one that is shown already.
 RigNow rig_of(const scene::Show& show, const scene::Show& drawn, RigNow rig) {
-    RigNow at_home = rig_at_home(show);
-    const std::vector<std::optional<std::size_t>> same = scene::same_fixtures(drawn, show);
-    for (std::size_t i = 0; i < same.size(); ++i)
-        if (same[i] && *same[i] < rig.fixtures.size()) at_home.fixtures[i] = rig.fixtures[*same[i]];
-    rig.fixtures = std::move(at_home.fixtures);
+    rig.fixtures = carried(rig.fixtures, rig_at_home(show).fixtures, drawn, show);
     return rig;
 }
 
 // Likewise; nothing is wrong with one that is not drawn yet.
 std::vector<Verdict> verdicts_of(const scene::Show& show, const scene::Show& drawn,
                                  const std::vector<Verdict>& verdicts) {
-    std::vector<Verdict> now(show.fixtures.size());
-    const std::vector<std::optional<std::size_t>> same = scene::same_fixtures(drawn, show);
-    for (std::size_t i = 0; i < same.size(); ++i)
-        if (same[i] && *same[i] < verdicts.size()) now[i] = verdicts[*same[i]];
-    return now;
+    return carried(verdicts, std::vector<Verdict>(show.fixtures.size()), drawn, show);
 }
 
 // Whether a fade goes on: what it mixes by index is the same.
@@ -202,10 +194,7 @@ void AppModel::read_news() {
         Q_EMIT network_came();
     }
     if (auto news = link_.verdicts.take(); news && request_.explains_all && drawn_ && show()) {
-        if (drawn_ == show())
-            verdicts_ = std::move(*news);
-        else
-            verdicts_ = verdicts_of(*show(), *drawn_, *news);
+        verdicts_ = drawn_ == show() ? std::move(*news) : verdicts_of(*show(), *drawn_, *news);
         Q_EMIT verdicts_came();
     }
     if (auto news = shown_place_of(link_.explained.take())) {
@@ -225,7 +214,6 @@ std::optional<Explained> AppModel::shown_place_of(std::optional<Explained> news)
     if (!news || !drawn_ || !show() || news->fixture >= drawn_->fixtures.size() ||
         drawn_->fixtures[news->fixture].name != news->explanation.fixture)
         return std::nullopt;
-    if (drawn_ == show()) return news;
     const auto place = carried(std::optional(news->fixture), *drawn_, *show());
     if (!place) return std::nullopt;
     news->fixture = *place;
@@ -237,10 +225,8 @@ void AppModel::count_news_anew(const scene::Show& before, const scene::Show& now
     rig_ = rig_of(now, before, std::move(rig_));
     if (!verdicts_.empty()) verdicts_ = verdicts_of(now, before, verdicts_);
     const auto place = carried(std::optional(explained_.fixture), before, now);
-    if (place)
-        explained_.fixture = *place;
-    else
-        explained_ = {};
+    if (!place) explained_ = {};
+    explained_.fixture = place.value_or(0);
 }
 
 void AppModel::publish_looks(LooksNow looks) {

@@ -27,8 +27,6 @@
 #include <QTreeWidget>
 #include <QUrl>
 
-#include <filesystem>
-#include <functional>
 #include <set>
 
 namespace ghost::ui {
@@ -464,63 +462,6 @@ TEST(Actions, the_key_of_a_panel_behind_a_tab_brings_it_to_the_front) {
     opened.error_of("panel-scene");
     settle();
     EXPECT_FALSE(opened.window->findChild<QDockWidget*>("scene")->isVisible());
-}
-
-TEST(Actions, the_window_goes_on_while_a_recording_is_read_or_a_picture_packed) {
-    Opened4 opened;
-    QTemporaryDir folder;
-    Picture picture;
-    picture.image = std::make_shared<image::Image8>(64, 36, 4);
-    opened.link.picture.put(picture);
-    opened.link.on_news();
-    settle();
-    bool goes_on = false;
-    const auto meanwhile = [&](std::function<void()> f) {
-        QMetaObject::invokeMethod(opened.window.get(), std::move(f), Qt::QueuedConnection);
-    };
-    meanwhile([&] { goes_on = true; });
-    const std::string file = folder.filePath("now.png").toStdString();
-    EXPECT_EQ(opened.error_of("save-picture \"" + file + "\""), "");
-    EXPECT_TRUE(std::exchange(goes_on, false));
-    EXPECT_TRUE(std::filesystem::exists(file));
-    meanwhile([&] { goes_on = true; });
-    EXPECT_NE(opened.error_of("play-file \"" + file + "\""), "");
-    EXPECT_TRUE(goes_on);
-    EXPECT_EQ(opened.request().recording, "") << "what is none stops nothing";
-    const std::string recording = GHOST_SOURCE_DIR "/assets/demo/demo.show";
-    meanwhile([&] { opened.window->app().open("/another/show.toml"); });
-    EXPECT_NE(opened.error_of("play-file \"" + recording + "\"").find("another show was opened"),
-              std::string::npos);
-    EXPECT_EQ(opened.request().recording, "");
-    EXPECT_EQ(opened.error_of("play-file \"" + recording + "\""), "");
-    EXPECT_EQ(opened.request().recording, recording);
-}
-
-// A picture of measured light has no work light, whatever is asked for.
-TEST(Actions, the_work_light_is_turned_on_and_off_while_light_is_measured) {
-    Opened4 opened;
-    EXPECT_EQ(opened.error_of("work-light"), "");
-    EXPECT_EQ(opened.request().work_light, WorkLight::on);
-    EXPECT_EQ(opened.error_of("false-colour luminance"), "");
-    EXPECT_EQ(opened.error_of("work-light"), "");
-    EXPECT_EQ(opened.request().work_light, WorkLight::off);
-    EXPECT_EQ(opened.error_of("work-light"), "");
-    EXPECT_EQ(opened.request().work_light, WorkLight::on);
-}
-
-TEST(Actions, a_camera_whose_name_is_a_number_beyond_them_is_found) {
-    Opened4 opened;
-    Opened news = opened.window->app().opened();
-    auto show = std::make_shared<scene::Show>(*news.show);
-    show->cameras.back().name = "7";
-    show->cameras.back().position_m = {3, -7, 2};
-    news.show = std::move(show);
-    opened.link.opened.put(std::move(news));
-    opened.link.on_news();
-    settle();
-    EXPECT_EQ(opened.error_of("camera 7"), "");
-    for (int i = 0; i < 200 && opened.window->app().travels(); ++i) wait_ms(20);
-    EXPECT_EQ(opened.window->app().camera().position_m, glm::vec3(3, -7, 2));
 }
 
 TEST(Actions, what_is_dropped_becomes_a_part_of_the_show_or_is_opened) {
