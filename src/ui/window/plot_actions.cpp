@@ -26,15 +26,11 @@ public:
         : QObject(&app), actions_(actions), app_(app), document_(document) {
         connect(&app_, &AppModel::opened_show, this, [this] {
             if (!waiting_ || app_.opened().is_edit) return;
-            const Waiting waiting = *std::exchange(waiting_, std::nullopt);
-            std::error_code code;
-            if (!std::filesystem::equivalent(app_.show()->folder, waiting.folder, code)) {
-                actions_.complain({"another show was opened: no fixture file is substituted",
-                                   app_.show()->folder.string()});
-                return;
-            }
-            if (const auto done = substitute(app_, document_, waiting.all); !done.ok())
-                actions_.complain(done.error());
+            // Once all have heard of the show: files may be copied meanwhile.
+            QMetaObject::invokeMethod(
+                this,
+                [this, waiting = *std::exchange(waiting_, std::nullopt)] { substitute_in_show(waiting); },
+                Qt::QueuedConnection);
         });
         connect(&app_, &AppModel::not_opened, this, [this] {
             if (!waiting_ || is_importing()) return; // another show was asked for meanwhile
@@ -75,6 +71,17 @@ private:
         std::filesystem::path folder;
         std::vector<Substitute> all;
     };
+
+    void substitute_in_show(const Waiting& waiting) {
+        std::error_code code;
+        if (!std::filesystem::equivalent(app_.show()->folder, waiting.folder, code)) {
+            actions_.complain(
+                {"another show was opened: no fixture file is substituted", app_.show()->folder.string()});
+            return;
+        }
+        if (const auto done = substitute(app_, document_, waiting.all); !done.ok())
+            actions_.complain(done.error());
+    }
 
     bool is_importing() const {
         const std::deque<Job>& jobs = app_.jobs().all();

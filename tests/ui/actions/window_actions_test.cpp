@@ -2,6 +2,7 @@
 // Actions of the whole window: it goes on while a file is read or written; cameras and the work light.
 #include "show/show.h"
 #include "support/test_window.h"
+#include "ui/actions/script.h"
 #include "ui/window/window.h"
 
 #include <QTemporaryDir>
@@ -59,6 +60,27 @@ TEST(WindowActions, the_window_goes_on_while_a_recording_is_read_or_a_picture_pa
     EXPECT_EQ(opened.request().recording, "");
     EXPECT_EQ(opened.error_of("play-file \"" + recording + "\""), "");
     EXPECT_EQ(opened.request().recording, recording);
+}
+
+TEST(Script, one_that_is_gone_before_its_line_is_done_says_nothing) {
+    FourLamps opened;
+    Actions& actions = opened.window.actions();
+    auto* const script = new Script(actions, opened.window.app(), nullptr);
+    int answers = 0;
+    script->on_line = [&](const Result<void>&) { ++answers; };
+    actions.add({"hang-up",
+                 "",
+                 "hang-up",
+                 "",
+                 "",
+                 [script](const QStringList&) -> Result<void> {
+                     delete script; // as a socket that is closed does
+                     return {};
+                 },
+                 {}});
+    script->add("hang-up");
+    wait_ms(100);
+    EXPECT_EQ(answers, 0);
 }
 
 // A picture of measured light has no work light, whatever is asked for.
