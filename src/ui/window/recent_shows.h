@@ -1,8 +1,8 @@
 #pragma once
 // SPDX-License-Identifier: Apache-2.0
 // RecentShows: the shows that were opened last, newest first, each with a small picture of how it looked when
-// it was left. Those that are gone leave the list as soon as their disk has said so. Kept in the user's
-// settings and cache, never in the show. Window thread.
+// there was light on it last. Those that are gone leave the list as soon as their disk has said so. Kept in the
+// user's settings and cache, never in the show. Window thread.
 
 #include "ui/model/app_model.h"
 #include "ui/model/disk_look.h"
@@ -12,6 +12,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <vector>
 
 namespace ghost::ui {
@@ -38,13 +39,14 @@ Q_SIGNALS:
 private:
     static bool exists(const std::filesystem::path& file);
     void take_opened();
+    void take_picture();
     void keep_picture();
 
     AppModel& app_;
     bool remembers_;
     std::vector<One> shows_;
-    QString open_;             // path
-    bool has_picture_ = false; // of the open one
+    QString open_;                                 // path
+    std::shared_ptr<const image::Image8> picture_; // of the open one; null: it was dark
     DiskLook disk_;
 };
 
