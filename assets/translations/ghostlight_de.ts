@@ -1038,6 +1038,29 @@
     </message>
 </context>
 <context>
+    <name>Dark</name>
+    <message>
+        <source>BLACK-OUT: nothing shines until it ends (B)</source>
+        <translation>BLACK-OUT: nichts leuchtet, bis es endet (B)</translation>
+    </message>
+    <message>
+        <source>BLACK-OUT of a remote control: nothing shines</source>
+        <translation>BLACK-OUT einer Fernsteuerung: nichts leuchtet</translation>
+    </message>
+    <message>
+        <source>The master is at 0 %: nothing shines</source>
+        <translation>Der Master steht auf 0 %: nichts leuchtet</translation>
+    </message>
+    <message>
+        <source>The master of a remote control is at 0 %: nothing shines</source>
+        <translation>Der Master einer Fernsteuerung steht auf 0 %: nichts leuchtet</translation>
+    </message>
+    <message>
+        <source>Others are solo: this one is dark until they are not</source>
+        <translation>Andere sind solo: dieser bleibt so lange dunkel</translation>
+    </message>
+</context>
+<context>
     <name>Export</name>
     <message>
         <source>This machine</source>
@@ -7162,6 +7185,10 @@ Bitte den Namen des Ordners prüfen.</translation>
     <message>
         <source>the window was closed before it was done</source>
         <translation>das Fenster wurde geschlossen, bevor es fertig war</translation>
+    </message>
+    <message>
+        <source>is being opened under its new name, which takes a moment: nothing is changed</source>
+        <translation>wird unter dem neuen Namen geöffnet, das dauert einen Moment: nichts wird geändert</translation>
     </message>
 </context>
 <context>

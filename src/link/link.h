@@ -146,8 +146,7 @@ struct Opened {
     std::shared_ptr<const scene::Show> show; // without the triangles of its stage
     std::vector<Object> objects;
     std::vector<scene::Material> materials;
-    glm::vec3 centre_m{0}; // of all
-    float radius_m = 10;
+    scene::Camera overview; // the whole rig
     std::string device;
     double recording_s = 0;  // 0: the show has none
     std::uint64_t opens = 0; // of the request that asked for it

@@ -198,11 +198,7 @@ vec3 among_the_lights(const Sight& sight, const Box& box, const vec3& target_m) 
     return best_m;
 }
 
-} // namespace
-
-std::vector<Camera> default_cameras(const Show& show) {
-    const Sight sight(show.stage);
-    const Box box = subject_of(show, sight);
+Camera in_the_house(const Sight& sight, const Box& box) {
     const vec3 size = box.size_m();
     const vec3 middle = box.middle_m();
     const float width_m = std::max(size.x / (2.0f * half_tangent(kHouseFov_deg) * kAspect),
@@ -214,9 +210,22 @@ std::vector<Camera> default_cameras(const Show& show) {
     const vec3 house_target(middle.x, middle.y, box.low_m.z + 0.5f * size.z);
     const vec3 front(middle.x, box.low_m.y - 0.5f, house_z);
     const auto house_m = before_walls(sight, front, {middle.x, box.low_m.y - away_m, house_z});
-    const Camera house =
-        house_m ? camera("house", *house_m, house_target, kHouseFov_deg) : in_the_room(sight, box, house_z);
+    return house_m ? camera("house", *house_m, house_target, kHouseFov_deg)
+                   : in_the_room(sight, box, house_z);
+}
 
+} // namespace
+
+Camera house_camera(const Show& show, const Stage& stage) {
+    const Sight sight(stage);
+    return in_the_house(sight, subject_of(show, sight));
+}
+
+std::vector<Camera> default_cameras(const Show& show) {
+    const Sight sight(show.stage);
+    const Box box = subject_of(show, sight);
+    const vec3 size = box.size_m();
+    const vec3 middle = box.middle_m();
     const vec3 close_target(middle.x + 0.1f * size.x, box.high_m.y, box.low_m.z + 0.5f * size.z);
     const vec3 close = among_the_lights(sight, box, close_target);
 
@@ -224,7 +233,7 @@ std::vector<Camera> default_cameras(const Show& show) {
     const vec3 high_wanted = middle + reach_m * glm::normalize(vec3(-0.75f, -0.95f, 0.55f));
     const vec3 high_from = middle + vec3(0, 0, 0.3f * size.z);
     const vec3 high = before_walls(sight, high_from, high_wanted).value_or(high_wanted);
-    return {house, camera("close", close, close_target, kCloseFov_deg),
+    return {in_the_house(sight, box), camera("close", close, close_target, kCloseFov_deg),
             camera("high", high, {middle.x, middle.y, box.low_m.z + 0.3f * size.z}, kHighFov_deg)};
 }
 

@@ -11,9 +11,13 @@
 namespace ghost::scene {
 
 struct Show;
+struct Stage;
 
 // show.fixtures and show.stage, one of which may be empty; with both empty they look at the origin.
 std::vector<Camera> default_cameras(const Show& show);
+
+// The first of them: all fixtures and the ground below them, from before the walls.
+Camera house_camera(const Show& show, const Stage& stage);
 
 // Thin enough to see the back of the rig from the house.
 float default_extinction_per_m(const std::vector<Camera>& cameras);

@@ -97,8 +97,6 @@ inline Opened four_lamps() {
     opened.materials.resize(2);
     opened.materials[0].name = "wood";
     opened.materials[1].name = "paint";
-    opened.centre_m = {0, 0, 4};
-    opened.radius_m = 5;
     return opened;
 }
 

@@ -44,6 +44,18 @@ Result<void> go_to(AppModel& app, const QString& which) {
     return {};
 }
 
+// Exposed as it is now.
+void see_all(AppModel& app) {
+    const scene::Camera& overview = app.opened().overview;
+    scene::Camera camera = app.seen_camera();
+    camera.position_m = overview.position_m;
+    camera.target_m = overview.target_m;
+    camera.fov_y_deg = overview.fov_y_deg;
+    camera.width = overview.width;
+    camera.height = overview.height;
+    app.travel_to_stored(camera);
+}
+
 Result<void> focus(AppModel& app, bool all) {
     TRY_VOID(need_show(app));
     const std::vector<FixtureNow>& fixtures = app.rig().fixtures;
@@ -58,7 +70,7 @@ Result<void> focus(AppModel& app, bool all) {
         return {};
     }
     if (all || box.is_empty())
-        app.look_at(app.opened().centre_m, app.opened().radius_m);
+        see_all(app);
     else
         app.look_at(box.middle_m(), kPerson_m + 0.5f * glm::length(box.size_m()));
     return {};

@@ -81,6 +81,7 @@ public:
     // A copy of the one that is open: camera, input and undo list stay, too, and the recording goes on.
     void open_copy(const std::string& show);
     bool is_opening() const { return answered_opens_ < request_.opens; }
+    bool is_opening_copy() const { return is_opening() && copy_ == request_.opens; }
     // Why the one that was asked for last is not open; the one before may still be.
     const std::optional<Error>& open_error() const { return open_error_; }
     // Asks what is met first on that way; picked_came says it, most often within a frame. Returns the number

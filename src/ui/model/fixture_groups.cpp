@@ -89,6 +89,22 @@ std::vector<FixtureGroup> dark_groups_of(const std::vector<Verdict>& verdicts) {
     return all;
 }
 
+QString held_back(const ViewRequest& request, const RemoteNow& remote) {
+    if (request.black_out) return translated("Dark", "BLACK-OUT: nothing shines until it ends (B)");
+    if (remote.black_out) return translated("Dark", "BLACK-OUT of a remote control: nothing shines");
+    if (request.master <= 0) return translated("Dark", "The master is at 0 %: nothing shines");
+    if (remote.master <= 0)
+        return translated("Dark", "The master of a remote control is at 0 %: nothing shines");
+    return {};
+}
+
+QString held_back(const ViewRequest& request, const RemoteNow& remote, const Look& look,
+                  std::size_t fixture) {
+    if (const QString all = held_back(request, remote); !all.isEmpty()) return all;
+    if (look.solo.empty() || look.solo.contains(fixture)) return {};
+    return translated("Dark", "Others are solo: this one is dark until they are not");
+}
+
 bool can_shine(const scene::PatchedFixture& fixture) {
     return fixture.type && !fixture.patch().mode_of().beams.empty();
 }

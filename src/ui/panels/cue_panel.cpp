@@ -139,6 +139,10 @@ CuePanel::CuePanel(AppModel& app, CueList& cues, Looks& looks, Actions& actions,
                      [this] { return "cue-move " + chosen() + " up"; });
     down_ = add_button(translated("Cues", "Down"), translated("Cues", "Later in the list"),
                        [this] { return "cue-move " + chosen() + " down"; });
+    // After the action: the cue stays chosen where it went, and the one that came is.
+    connect(up_, &QPushButton::clicked, this, [this] { choose(table_->currentRow() - 1); });
+    connect(down_, &QPushButton::clicked, this, [this] { choose(table_->currentRow() + 1); });
+    connect(add, &QPushButton::clicked, this, [this] { choose(table_->rowCount() - 1); });
     auto* follows = new QCheckBox(translated("Cues", "Follow the recording"), this);
     follows->setToolTip(
         translated("Cues", "A cue with a second is called when the recording, or its time code, comes by"));
@@ -188,6 +192,12 @@ void CuePanel::fill_menu(QMenu& menu) {
     add(translated("Cues", "Down"), "cue-move " + chosen() + " down", down_->isEnabled());
     menu.addSeparator();
     add(translated("Cues", "Remove"), "cue-remove " + chosen());
+}
+
+void CuePanel::choose(int row) {
+    if (row < 0 || row >= table_->rowCount()) return;
+    table_->setCurrentCell(row, std::max(table_->currentColumn(), 0),
+                           QItemSelectionModel::ClearAndSelect | QItemSelectionModel::Rows);
 }
 
 QString CuePanel::chosen() const {

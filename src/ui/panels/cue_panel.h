@@ -27,6 +27,7 @@ private:
     QPushButton* add_button(const QString& text, const QString& tip, std::function<QString()> line);
     void fill();
     void show_next();
+    void choose(int row);   // none where there is none
     QString chosen() const; // number of the row that is current, from 1; empty: none
 
     AppModel& app_;

@@ -254,7 +254,9 @@ void FixturePanel::list_groups() {
     group_->clear();
     std::size_t dark = 0;
     for (const FixtureGroup& group : groups_) dark += group.fixtures.size();
+    const QString held = held_back(app_.request(), app_.rig().remote);
     group_->addItem(!dark_->isChecked()       ? translated("Fixtures", "All fixtures")
+                    : !held.isEmpty()         ? held
                     : app_.verdicts().empty() ? translated("Fixtures", "Asking why ...")
                     : dark == 0               ? translated("Fixtures", "None is dark")
                                               : translated("Fixtures", "Dark: %1").arg(dark));

@@ -3,6 +3,7 @@
 
 #include "show/show.h"
 #include "ui/language/language.h"
+#include "ui/model/fixture_groups.h"
 #include "ui/model/head_parameters.h"
 #include "ui/widgets/theme.h"
 
@@ -203,7 +204,7 @@ ValuePanel::ValuePanel(AppModel& app, QWidget* parent) : QWidget(parent), app_(a
     layout->addWidget(verdict_);
     layout->addWidget(splitter, 1);
     for (const auto signal : {&AppModel::explanation_came, &AppModel::selection_changed,
-                              &AppModel::opened_show, &AppModel::look_changed})
+                              &AppModel::opened_show, &AppModel::look_changed, &AppModel::request_changed})
         connect(&app_, signal, this, &ValuePanel::refresh);
     refresh();
 }
@@ -237,10 +238,11 @@ void ValuePanel::refresh() {
         say_alone(translated("Values", "It is being looked at ..."));
         return;
     }
-    verdict_->setText(said(explained.explanation.verdict));
-    verdict_->setStyleSheet(
-        QString("color: %1")
-            .arg((explained.explanation.visibility == scene::Visibility::lit ? good() : bad()).name()));
+    // What holds it back is not the head's own, and nothing that a desk could mend.
+    const QString held = held_back(app_.request(), app_.rig().remote, app_.look(), *current);
+    verdict_->setText(held.isEmpty() ? said(explained.explanation.verdict) : held);
+    const bool is_lit = held.isEmpty() && explained.explanation.visibility == scene::Visibility::lit;
+    verdict_->setStyleSheet(QString("color: %1").arg((is_lit ? good() : bad()).name()));
     const auto by_hand = app_.look().fixtures.find(*current);
     model_->show(explained.explanation,
                  by_hand == app_.look().fixtures.end() ? fixture::Programmer{} : by_hand->second);

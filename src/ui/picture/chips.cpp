@@ -4,7 +4,7 @@
 #include "ui/actions/bounce_edit.h"
 #include "ui/actions/programmer_actions.h"
 #include "ui/language/language.h"
-#include "ui/model/shortened.h"
+#include "ui/widgets/shortened.h"
 #include "ui/widgets/theme.h"
 
 #include <QFontMetricsF>

@@ -5,6 +5,7 @@
 #include "ui/actions/object_edit.h"
 #include "ui/actions/programmer_actions.h"
 #include "ui/language/language.h"
+#include "ui/model/fixture_groups.h"
 #include "ui/picture/view.h"
 
 #include <QMouseEvent>
@@ -213,7 +214,8 @@ void View::set_hovered(std::optional<std::size_t> fixture) {
 QString View::why_hovered() const {
     const std::optional<Explained>& explained = app_.hovered();
     if (!explained || explained->fixture != hovered_) return QString();
-    return said(explained->explanation.verdict);
+    const QString held = held_back(app_.request(), app_.rig().remote, app_.look(), explained->fixture);
+    return held.isEmpty() ? said(explained->explanation.verdict) : held;
 }
 
 void View::leaveEvent(QEvent*) {

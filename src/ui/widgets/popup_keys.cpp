@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/widgets/popup_keys.h"
 
+#include <QAbstractButton>
 #include <QApplication>
 #include <QComboBox>
 #include <QKeyEvent>
@@ -19,13 +20,45 @@ bool opens_its_list(const QObject* object, const QKeyEvent& key) {
            (is_arrow && (key.modifiers() & ~Qt::KeypadModifier) == Qt::AltModifier);
 }
 
+bool is_return(const QKeyEvent& key) {
+    return (key.key() == Qt::Key_Return && key.modifiers() == Qt::NoModifier) ||
+           (key.key() == Qt::Key_Enter && (key.modifiers() & ~Qt::KeypadModifier) == Qt::NoModifier);
+}
+
+bool is_by_keys(Qt::FocusReason reason) {
+    return reason == Qt::TabFocusReason || reason == Qt::BacktabFocusReason ||
+           reason == Qt::ShortcutFocusReason;
+}
+
 } // namespace
+
+// One that the mouse pressed has the focus as well, and leaves Space to the window.
+void PopupKeys::follow_focus(QObject* object, const QEvent& event) {
+    auto* const button = qobject_cast<QAbstractButton*>(object);
+    if (event.type() == QEvent::FocusIn)
+        reached_ = is_by_keys(static_cast<const QFocusEvent&>(event).reason()) ? button : nullptr;
+    if (button && button == reached_ && event.type() == QEvent::MouseButtonPress) reached_ = nullptr;
+}
+
+bool PopupKeys::presses(const QObject* object, const QKeyEvent& key) const {
+    if (!reached_ || object != reached_) return false;
+    const bool is_space = key.key() == Qt::Key_Space && key.modifiers() == Qt::NoModifier;
+    return is_space || (is_return(key) && !reached_->isCheckable());
+}
 
 // Qt sends ShortcutOverride, then either Shortcut or KeyPress.
 bool PopupKeys::eventFilter(QObject* object, QEvent* event) {
-    if (event->type() == QEvent::ShortcutOverride &&
-        opens_its_list(object, *static_cast<const QKeyEvent*>(event))) {
-        event->accept();
+    follow_focus(object, *event);
+    if (event->type() == QEvent::ShortcutOverride) {
+        const auto& key = *static_cast<const QKeyEvent*>(event);
+        if (opens_its_list(object, key) || presses(object, key)) {
+            event->accept();
+            return true;
+        }
+    }
+    if (event->type() == QEvent::KeyPress && presses(object, *static_cast<const QKeyEvent*>(event)) &&
+        is_return(*static_cast<const QKeyEvent*>(event))) { // Space is Qt's
+        reached_->click();
         return true;
     }
     if (event->type() == QEvent::ShortcutOverride && QApplication::activePopupWidget()) popup_had_it_ = true;

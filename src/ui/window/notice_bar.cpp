@@ -5,7 +5,7 @@
 #include "show/show.h"
 #include "ui/language/language.h"
 #include "ui/model/fixture_groups.h"
-#include "ui/model/shortened.h"
+#include "ui/widgets/shortened.h"
 
 #include <QEvent>
 #include <QFileInfo>

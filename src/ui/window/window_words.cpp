@@ -4,7 +4,7 @@
 #include "ui/actions/programmer_actions.h"
 #include "ui/language/language.h"
 #include "ui/model/fixture_groups.h"
-#include "ui/model/shortened.h"
+#include "ui/widgets/shortened.h"
 #include "ui/window/private/notice_bar.h"
 #include "ui/window/window.h"
 

@@ -59,8 +59,8 @@ TEST_F(SideViewsOfDemo, another_camera_is_drawn_and_measured_and_the_main_pictur
     // Straight down on the middle of the stage: a surface is met.
     const ui::SideView stored{.number = 1, .camera = opened.show->cameras.back(), .probe = {}};
     ui::SideView down{.number = 2, .camera = stored.camera, .probe = glm::vec2(0.5f)};
-    down.camera.position_m = opened.centre_m + glm::vec3(0, -1, 1);
-    down.camera.target_m = {opened.centre_m.x, opened.centre_m.y, -1};
+    down.camera.position_m = glm::vec3(0, 1, 5);
+    down.camera.target_m = {0, 2, -1};
     const ui::SideView third{.number = 3, .camera = stored.camera, .probe = {}};
     want({stored, down, third});
     const std::vector<ui::SidePicture> drawn = sides(ui::kMostSideViews);

@@ -5,8 +5,8 @@
 #include "show/show.h"
 #include "support/test_window.h"
 #include "ui/actions/script.h"
-#include "ui/model/shortened.h"
 #include "ui/panels/message_panel.h"
+#include "ui/widgets/shortened.h"
 #include "ui/window/window.h"
 
 #include <QAbstractItemView>

@@ -44,9 +44,9 @@ TEST(SaveAs, a_file_that_is_there_goes_only_where_somebody_says_so) {
     for (const char* const name : {"act2", "act2.toml"})
         EXPECT_NE(desk.error_of(QString("save-as ") + name).find("is there already"), std::string::npos);
     EXPECT_EQ(*read_text_file(desk.beside("act2.toml"), 100), "precious");
+    EXPECT_NE(desk.error_of("save-as show").find("is the show file itself"), std::string::npos);
     EXPECT_EQ(desk.error_of("save-as act2 over"), "");
     EXPECT_EQ(*read_text_file(desk.beside("act2.toml"), 1 << 20), kShow);
-    EXPECT_NE(desk.error_of("save-as show").find("is the show file itself"), std::string::npos);
 }
 
 TEST(SaveAs, hands_selection_camera_and_undo_go_on_and_the_old_name_has_no_draft) {
@@ -81,6 +81,27 @@ TEST(SaveAs, hands_selection_camera_and_undo_go_on_and_the_old_name_has_no_draft
     desk.answer_open(old);
     EXPECT_FALSE(desk.document.has_draft());
     EXPECT_TRUE(desk.app.selection().empty()) << "another show";
+}
+
+TEST(SaveAs, the_file_before_gets_nothing_any_more_while_the_other_one_is_opened) {
+    SavingDesk desk;
+    const fs::path old = desk.file;
+    ASSERT_EQ(desk.error_of("save-as act2"), "");
+    desk.app.select({0});
+    const Result<void> renamed = desk.edit.rename("Front");
+    ASSERT_FALSE(renamed.ok());
+    EXPECT_NE(renamed.error().text().find("is being opened under its new name"), std::string::npos)
+        << renamed.error().text();
+    EXPECT_FALSE(desk.document.save(false).ok());
+    wait_ms(700);
+    EXPECT_EQ(*read_text_file(old, 1 << 20), kShow);
+    EXPECT_FALSE(fs::exists(desk.beside(".ghost") / "draft.toml"));
+    desk.answer_open(desk.beside("act2.toml"));
+    desk.app.select({0});
+    ASSERT_TRUE(desk.edit.rename("Front").ok());
+    ASSERT_TRUE(desk.document.save(false).ok());
+    EXPECT_NE(desk.on_disk(), kShow);
+    EXPECT_EQ(*read_text_file(old, 1 << 20), kShow);
 }
 
 } // namespace

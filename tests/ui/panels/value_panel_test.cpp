@@ -75,5 +75,31 @@ TEST(ValuePanel, says_nothing_of_a_neighbour_while_an_edit_is_read) {
     EXPECT_EQ(table->rowCount(), 0);
 }
 
+TEST(ValuePanel, says_what_holds_a_head_back_that_its_desk_knows_nothing_of) {
+    Desk desk;
+    ValuePanel panel(desk.app, nullptr);
+    desk.open();
+    desk.app.select({1});
+    explain(desk, *desk.app.show(), 1);
+    const auto verdict = [&] { return panel.findChildren<QLabel*>().at(1)->text(); };
+    EXPECT_EQ(verdict(), "about Lamp 2");
+    desk.app.change_request([](ViewRequest& request) { request.black_out = true; });
+    EXPECT_EQ(verdict(), "BLACK-OUT: nothing shines until it ends (B)");
+    desk.app.change_request([](ViewRequest& request) {
+        request.black_out = false;
+        request.master = 0;
+    });
+    EXPECT_EQ(verdict(), "The master is at 0 %: nothing shines");
+    desk.app.change_request([](ViewRequest& request) { request.master = 0.5f; });
+    EXPECT_EQ(verdict(), "about Lamp 2");
+    Look look;
+    look.solo = {0};
+    desk.app.set_look(look, "Solo");
+    EXPECT_EQ(verdict(), "Others are solo: this one is dark until they are not");
+    look.solo = {0, 1};
+    desk.app.set_look(look, "Solo");
+    EXPECT_EQ(verdict(), "about Lamp 2");
+}
+
 } // namespace
 } // namespace ghost::ui
