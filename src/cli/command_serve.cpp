@@ -12,7 +12,6 @@
 #include "cli/options/size_option.h"
 #include "cli/options/web_options.h"
 #include "live/engine/engine.h"
-#include "show/camera_moves.h"
 #include "show/looks.h"
 #include "show/show.h"
 #include "ui/model/look_fade.h"
@@ -119,7 +118,7 @@ private:
             TRY(const std::size_t camera, opened.show->find_camera(arguments_.view));
             look_from(opened.show->cameras[camera]);
         } else {
-            look_from(scene::focused(scene::Camera(), opened.centre_m, opened.radius_m));
+            look_from(opened.overview);
         }
         return {};
     }

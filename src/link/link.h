@@ -146,7 +146,9 @@ struct Opened {
     std::shared_ptr<const scene::Show> show; // without the triangles of its stage
     std::vector<Object> objects;
     std::vector<scene::Material> materials;
-    scene::Camera overview; // the whole rig
+    glm::vec3 centre_m{0}; // of the rig
+    float radius_m = 10;
+    scene::Camera overview; // all of it
     std::string device;
     double recording_s = 0;  // 0: the show has none
     std::uint64_t opens = 0; // of the request that asked for it

@@ -43,6 +43,7 @@ bool is_same(const T& a, const T& b) {
 ui::Opened opened_from(const Session& session) {
     ui::Opened opened;
     const scene::Stage& stage = session.live->stage();
+    scene::Box box;
     const std::vector<int> movers = scene::movers_of_instances(*session.show, stage);
     for (std::size_t i = 0; i < stage.instances.size(); ++i) {
         const scene::Instance& instance = stage.instances[i];
@@ -51,6 +52,14 @@ ui::Opened opened_from(const Session& session) {
             continue;
         opened.objects.push_back(object_of(stage, i));
         opened.objects.back().mover = movers[i];
+    }
+    for (const scene::PatchedFixture& fixture : session.show->fixtures) box.add(fixture.position_m, 1.0f);
+    // A floor of a square kilometre is not what a person wants to see.
+    if (session.show->fixtures.empty())
+        for (const ui::Object& object : opened.objects) box.add(object.centre_m, object.radius_m);
+    if (!box.is_empty()) {
+        opened.centre_m = box.middle_m();
+        opened.radius_m = std::max(0.5f * glm::length(box.size_m()), 1.0f);
     }
     opened.overview = scene::house_camera(*session.show, session.live->solid());
     opened.materials = stage.materials;
