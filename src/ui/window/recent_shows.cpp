@@ -48,6 +48,7 @@ RecentShows::RecentShows(AppModel& app, bool remembers, const IsThere& is_there)
         for (const std::filesystem::path& file : files)
             if (!is_there(file)) gone.insert(QString::fromStdString(file.string()));
         return [this, gone = std::move(gone)] {
+            const auto is_gone = [&](const One& one) { return gone.contains(one.path); };
             if (std::erase_if(shows_, is_gone) > 0) Q_EMIT changed();
         };
     });
