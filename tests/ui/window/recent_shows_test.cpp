@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Shows on drives that do not answer.
 #include "support/test_window.h"
+#include "ui/model/disk_look.h"
 #include "ui/window/recent_shows.h"
 
 #include <QSettings>
@@ -62,6 +63,31 @@ TEST_F(RecentShowsTest, an_answer_that_comes_after_the_window_went_is_nobodys) {
     { const RecentShows recent(app, true, drive.is_there); }
     drive.comes_back.set_value();
     wait_ms(100);
+}
+
+// As the open show's disk is looked at each second: what hangs is neither waited for nor asked again.
+TEST(DiskLook, a_question_that_hangs_is_asked_once_and_left_behind_by_another_show) {
+    Drive drive;
+    DiskLook disk;
+    int hung = 0, answered = 0;
+    const auto asks = [&](int& count) {
+        return [back = drive.is_back, &count]() -> DiskLook::Then {
+            back.wait_for(5s);
+            return [&count] { ++count; };
+        };
+    };
+    EXPECT_TRUE(disk.ask(asks(hung)));
+    EXPECT_FALSE(disk.ask(asks(hung)));
+    wait_ms(100);
+    EXPECT_EQ(hung, 0);
+    disk.forget();
+    EXPECT_TRUE(disk.ask(asks(answered)));
+    drive.comes_back.set_value();
+    for (int tries = 0; tries < 100 && answered == 0; ++tries) wait_ms(20);
+    wait_ms(100);
+    EXPECT_EQ(answered, 1);
+    EXPECT_EQ(hung, 0);
+    EXPECT_TRUE(disk.ask(asks(answered))) << "the next look";
 }
 
 } // namespace
