@@ -1545,6 +1545,10 @@
         <source>Dark: %1</source>
         <translation>Dunkel: %1</translation>
     </message>
+    <message>
+        <source>Its file cannot be read: %1</source>
+        <translation>Seine Datei kann nicht gelesen werden: %1</translation>
+    </message>
 </context>
 <context>
     <name>Jobs</name>

@@ -116,16 +116,18 @@ QVariant FixtureList::data(const QModelIndex& index, int role) const {
         return QVariant::fromValue(now->colour);
     if (role == Qt::TextAlignmentRole && index.column() == level)
         return QVariant::fromValue(Qt::Alignment(Qt::AlignRight | Qt::AlignVCenter));
+    const bool is_unread = !fixture.type && !app_.is_taking_edit();
     if (role == kIsWrong)
         return (index.column() == patch && (fixture.address <= 0 || shared_.contains(row))) ||
-               (index.column() == type && !fixture.type && !app_.is_taking_edit());
+               ((index.column() == name || index.column() == type) && is_unread);
     if (role == kIsByHand) return index.column() == level && app_.look().fixtures.contains(row);
     if (role == Qt::ToolTipRole) {
         if (shared_.contains(row))
             return translated("Fixtures", "Another fixture reads a channel of this one.");
         if (app_.look().fixtures.contains(row))
             return translated("Fixtures", "Set by hand; R gives it back.");
-        return QString::fromStdString(fixture.gdtf.string());
+        const QString file = QString::fromStdString(fixture.gdtf.string());
+        return is_unread ? translated("Fixtures", "Its file cannot be read: %1").arg(file) : file;
     }
     return {};
 }

@@ -40,10 +40,10 @@ public:
     }
 };
 
-double share_of(const scene::ChannelFacts& channel) {
+double share_of(const scene::ChannelFacts& channel, std::uint32_t raw) {
     const auto bytes = static_cast<int>(channel.places.size());
     const double most = bytes <= 1 ? 255.0 : bytes == 2 ? 65535.0 : bytes == 3 ? 16777215.0 : 4294967295.0;
-    return std::clamp(static_cast<double>(channel.reading.raw) / most, 0.0, 1.0);
+    return std::clamp(static_cast<double>(raw) / most, 0.0, 1.0);
 }
 
 // In the words of the other panels, without the geometry that every row would repeat.
@@ -111,7 +111,9 @@ QString as_paragraphs(const QString& words) {
 
 } // namespace
 
-void ChannelModel::show(const scene::Explanation& explanation, const fixture::Programmer& programmer) {
+void ChannelModel::show(const scene::Explanation& explanation, const fixture::Programmer& programmer,
+                        std::vector<fixture::ChannelReading> levels) {
+    levels_ = std::move(levels);
     const bool same = channels_.size() == explanation.channels.size();
     if (!same) beginResetModel();
     channels_ = explanation.channels;
@@ -134,7 +136,7 @@ QVariant ChannelModel::data(const QModelIndex& index, int role) const {
     const auto row = static_cast<std::size_t>(index.row());
     if (row >= channels_.size()) return {};
     const scene::ChannelFacts& channel = channels_[row];
-    if (role == kShare) return share_of(channel);
+    if (role == kShare) return share_of(channel, channel.reading.raw);
     if (role == Qt::ToolTipRole)
         return QString::fromStdString(channel.addresses) + " " +
                QString::fromStdString(channel.name + ": " + channel.function);
@@ -151,7 +153,9 @@ QVariant ChannelModel::data(const QModelIndex& index, int role) const {
     case meaning:
         return said(channel.meaning);
     case by_hand:
-        return words_by_hand(channel, programmer_);
+        if (const QString words = words_by_hand(channel, programmer_); !words.isEmpty()) return words;
+        if (levels_.size() != channels_.size()) return {};
+        return QString("%1 %").arg(100 * share_of(channel, levels_[row].raw), 0, 'f', 0);
     default:
         return {};
     }
@@ -220,7 +224,7 @@ void ValuePanel::refresh() {
     const auto say_alone = [this](const QString& words) {
         verdict_->setText(words);
         verdict_->setStyleSheet(QString());
-        model_->show({}, {});
+        model_->show({}, {}, {});
         words_->clear();
         shown_words_.clear();
     };
@@ -244,8 +248,13 @@ void ValuePanel::refresh() {
     const bool is_lit = held.isEmpty() && explained.explanation.visibility == scene::Visibility::lit;
     verdict_->setStyleSheet(QString("color: %1").arg((is_lit ? good() : bad()).name()));
     const auto by_hand = app_.look().fixtures.find(*current);
-    model_->show(explained.explanation,
-                 by_hand == app_.look().fixtures.end() ? fixture::Programmer{} : by_hand->second);
+    const fixture::Programmer programmer =
+        by_hand == app_.look().fixtures.end() ? fixture::Programmer{} : by_hand->second;
+    const scene::PatchedFixture& fixture = app_.show()->fixtures[*current];
+    std::vector<fixture::ChannelReading> levels; // of a look that was stored as it was seen
+    if (!programmer.levels.empty() && fixture.type)
+        levels = fixture::read_levels(fixture.patch(), programmer.levels);
+    model_->show(explained.explanation, programmer, std::move(levels));
     table_->setColumnHidden(ChannelModel::by_hand, by_hand == app_.look().fixtures.end());
     if (shown_words_ == explained.words || words_->textCursor().hasSelection()) return;
     shown_words_ = explained.words;

@@ -20,8 +20,9 @@ public:
     static constexpr int kShare = Qt::UserRole; // of the bar behind the value, 0..1
 
     explicit ChannelModel(QObject* parent) : QAbstractTableModel(parent) {}
-    // programmer: what hands set of the fixture.
-    void show(const scene::Explanation& explanation, const fixture::Programmer& programmer);
+    // programmer: what hands set of the fixture; levels: its channels by the levels of that, or none.
+    void show(const scene::Explanation& explanation, const fixture::Programmer& programmer,
+              std::vector<fixture::ChannelReading> levels);
     int rowCount(const QModelIndex& parent = {}) const override;
     int columnCount(const QModelIndex& parent = {}) const override;
     QVariant data(const QModelIndex& index, int role) const override;
@@ -30,6 +31,7 @@ public:
 private:
     std::vector<scene::ChannelFacts> channels_;
     fixture::Programmer programmer_;
+    std::vector<fixture::ChannelReading> levels_; // as many, or none
 };
 
 class ValuePanel : public QWidget {

@@ -103,9 +103,13 @@ TEST(FixtureList, what_is_wrong_or_set_by_hand_is_marked_in_its_cell_alone) {
     };
     EXPECT_EQ(marked(FixtureList::kIsByHand), (std::set<std::pair<int, int>>{{2, FixtureList::level}}));
     EXPECT_EQ(marked(FixtureList::kIsWrong), (std::set<std::pair<int, int>>{{0, FixtureList::patch},
+                                                                            {0, FixtureList::name},
                                                                             {0, FixtureList::type},
+                                                                            {1, FixtureList::name},
                                                                             {1, FixtureList::type},
+                                                                            {2, FixtureList::name},
                                                                             {2, FixtureList::type},
+                                                                            {3, FixtureList::name},
                                                                             {3, FixtureList::type}}))
         << "these lamps have no file";
 }

@@ -101,5 +101,30 @@ TEST(ValuePanel, says_what_holds_a_head_back_that_its_desk_knows_nothing_of) {
     EXPECT_EQ(verdict(), "about Lamp 2");
 }
 
+TEST(ChannelModel, levels_of_a_look_stand_in_the_column_of_hands_where_nothing_else_does) {
+    scene::Explanation explanation;
+    for (const char* const name : {"Dimmer", "Pan"}) {
+        scene::ChannelFacts& channel = explanation.channels.emplace_back();
+        channel.name = name;
+        channel.places.resize(1);
+    }
+    explanation.channels[0].role = fixture::Role::dimmer;
+    std::vector<fixture::ChannelReading> levels(2);
+    levels[0].raw = 51;
+    levels[1].raw = 255;
+    fixture::Programmer programmer;
+    programmer.levels = {51, 255};
+    ChannelModel model(nullptr);
+    const auto by_hand = [&](int row) { return model.index(row, ChannelModel::by_hand).data().toString(); };
+    model.show(explanation, programmer, levels);
+    EXPECT_EQ(by_hand(0), "20 %");
+    EXPECT_EQ(by_hand(1), "100 %");
+    programmer.intensity = 0.5f;
+    model.show(explanation, programmer, levels);
+    EXPECT_EQ(by_hand(0), "50 %");
+    model.show(explanation, {}, {});
+    EXPECT_EQ(by_hand(1), "");
+}
+
 } // namespace
 } // namespace ghost::ui
