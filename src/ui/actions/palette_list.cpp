@@ -24,30 +24,34 @@ Result<void> PaletteList::edit(const QString& what, const Result<std::string>& t
 Result<void> PaletteList::store(scene::PaletteKind kind, const QString& name) {
     TRY_VOID(document_.check_editable());
     if (app_.selection().empty()) return Error{"no fixture is selected", ""};
-    scene::Palette palette;
-    palette.name = name.toStdString();
-    palette.kind = kind;
-    TRY_VOID(scene::check_stored_name("palette", palette.name));
+    TRY_VOID(scene::check_stored_name("palette", name.toStdString()));
+    std::map<std::string, scene::PaletteValues> own;
     for (const std::size_t head : app_.selection()) {
         const auto programmer = app_.look().fixtures.find(head);
         if (programmer == app_.look().fixtures.end()) continue;
         const scene::PatchedFixture& fixture = app_.show()->fixtures[head];
         scene::PaletteValues values = palette_values_of(kind, fixture, programmer->second);
-        if (!values.is_empty()) palette.fixtures.emplace(fixture.name, std::move(values));
+        if (!values.is_empty()) own.emplace(fixture.name, std::move(values));
     }
     const std::string word = scene::kPaletteKinds[static_cast<std::size_t>(kind)];
-    if (palette.fixtures.empty())
+    if (own.empty())
         return Error{"nothing of " + word +
                          " is set by hand for the selected fixtures; 'hold' takes what the desk asks for",
                      ""};
-    const scene::PaletteValues& first = palette.fixtures.begin()->second;
-    if (std::all_of(palette.fixtures.begin(), palette.fixtures.end(),
-                    [&](const auto& own) { return own.second == first; })) {
+    const Result<std::size_t> before = scene::find_palette(all(), name.toStdString());
+    scene::Palette palette;
+    if (before.ok() && all()[*before].kind == kind)
+        palette = all()[*before]; // others keep what it has of them
+    palette.name = name.toStdString();
+    palette.kind = kind;
+    const scene::PaletteValues& first = own.begin()->second;
+    const bool are_same =
+        std::all_of(own.begin(), own.end(), [&](const auto& one) { return one.second == first; });
+    if (are_same && palette.fixtures.empty())
         palette.values = first;
-        palette.fixtures.clear();
-    }
+    else
+        for (auto& [fixture, values] : own) palette.fixtures.insert_or_assign(fixture, std::move(values));
     const QString what = translated("Undo", "Palette '%1' stored").arg(name);
-    const Result<std::size_t> before = scene::find_palette(all(), palette.name);
     if (!before.ok()) return edit(what, scene::add_palette(document_.text(), palette));
     return edit(what, scene::replace_palette(document_.text(), all(), *before, palette));
 }

@@ -17,7 +17,8 @@ public:
     const std::vector<scene::Palette>& all() const;
 
     // What hands set of that kind for the selected fixtures: one value for any head where they have the same,
-    // else each one's own. Under a name that is there it takes that one's place.
+    // else each one's own. Under a name that is there it takes that one's place, but what that has for other
+    // heads stays, and one that has values for each head keeps them so.
     Result<void> store(scene::PaletteKind kind, const QString& name);
     // To the selected fixtures. Error: none of them has anything of it.
     Result<void> give(const QString& name);

@@ -215,6 +215,46 @@ TEST(PaletteList, under_a_name_that_is_there_the_values_are_others) {
     EXPECT_EQ(spots.palettes.all()[0].values.zoom_deg, 10.0f);
 }
 
+TEST(PaletteList, an_update_leaves_what_the_palette_has_of_other_heads) {
+    Spots spots;
+    spots.app.select({0, 1, 2});
+    EXPECT_EQ(spots.error_of("fan pan -20 20 line list"), "");
+    EXPECT_EQ(spots.error_of("palette-store position Singer"), "");
+    const auto of = [&](const char* name) { return spots.palettes.all().at(0).fixtures.at(name).pan_deg; };
+    const auto update = [&](std::set<std::size_t> heads, const QString& values) {
+        spots.turn_into_spots(); // the edit was read
+        spots.app.select(std::move(heads));
+        EXPECT_EQ(spots.error_of(values), "");
+        EXPECT_EQ(spots.error_of("palette-store position Singer"), "");
+    };
+    update({1}, "pan 5");
+    EXPECT_EQ(of("Lamp 1"), -20.0f);
+    EXPECT_EQ(of("Lamp 2"), 5.0f);
+    EXPECT_EQ(of("Lamp 3"), 20.0f);
+    EXPECT_TRUE(spots.palettes.all()[0].values.is_empty()) << "no head that it was not stored of has it";
+    update({0, 1}, "pan 7");
+    EXPECT_EQ(of("Lamp 1"), 7.0f);
+    EXPECT_EQ(of("Lamp 3"), 20.0f);
+}
+
+TEST(PaletteList, one_for_any_head_stays_so_for_those_that_are_not_selected) {
+    Spots spots;
+    spots.app.select({0});
+    EXPECT_EQ(spots.error_of("pan 10"), "");
+    EXPECT_EQ(spots.error_of("palette-store position Left"), "");
+    spots.turn_into_spots();
+    spots.app.select({0, 1});
+    EXPECT_EQ(spots.error_of("fan pan 11 12 line list"), "");
+    EXPECT_EQ(spots.error_of("palette-store position Left"), "");
+    EXPECT_EQ(spots.palettes.all().at(0).fixtures.size(), 2u);
+    EXPECT_EQ(spots.palettes.all()[0].values.pan_deg, 10.0f);
+    spots.turn_into_spots();
+    EXPECT_EQ(spots.error_of("colour #ff8000"), "");
+    EXPECT_EQ(spots.error_of("palette-store colour Left"), "");
+    EXPECT_TRUE(spots.palettes.all()[0].fixtures.empty()) << "of another kind it is another palette";
+    EXPECT_FALSE(spots.palettes.all()[0].values.pan_deg);
+}
+
 TEST(PaletteList, one_that_no_head_has_anything_of_says_so) {
     Spots spots;
     spots.app.select({0});
