@@ -2354,6 +2354,10 @@
         <source>Opened, but this is ignored: %1</source>
         <translation>Geöffnet, doch dies wird übergangen: %1</translation>
     </message>
+    <message>
+        <source>Not in the show any more, with what hands held of it: %1</source>
+        <translation>Nicht mehr in der Show, samt dem, was von Hand gesetzt war: %1</translation>
+    </message>
 </context>
 <context>
     <name>Palettes</name>
@@ -7146,6 +7150,18 @@ Bitte den Namen des Ordners prüfen.</translation>
     <message>
         <source>is empty: there is no show in it</source>
         <translation>ist leer: darin steht keine Show</translation>
+    </message>
+    <message>
+        <source>another show was opened meanwhile; it is left as it is</source>
+        <translation>inzwischen wurde eine andere Show geöffnet; sie bleibt, wie sie ist</translation>
+    </message>
+    <message>
+        <source>another show was opened meanwhile; its own recording plays</source>
+        <translation>inzwischen wurde eine andere Show geöffnet; ihre eigene Aufzeichnung läuft</translation>
+    </message>
+    <message>
+        <source>the window was closed before it was done</source>
+        <translation>das Fenster wurde geschlossen, bevor es fertig war</translation>
     </message>
 </context>
 <context>

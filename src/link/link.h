@@ -250,7 +250,7 @@ struct RigNow {
 };
 
 struct Explained {
-    std::size_t fixture = 0;
+    std::size_t fixture = 0; // of the show that is drawn
     scene::Explanation explanation;
     std::string words;
 };

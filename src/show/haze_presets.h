@@ -5,9 +5,13 @@
 // (docs/reference/show-file.md says what each name means). Their scattering is the default of HazeMedium.
 // Pure.
 
-#include <span>
+#include "base/suggest.h"
+
+#include <algorithm>
+#include <iterator>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace ghost::scene {
 
@@ -20,13 +24,28 @@ struct HazePreset {
     double extinction_per_m() const { return milligrams_per_m3 * kExtinctionPerMilligram; }
 };
 
-// From none to fog, each thicker than the one before.
-std::span<const HazePreset> haze_presets();
+// From none to fog, each thicker than the one before. 10 and 40 mg/m^3 are what ANSI E1.5 recommends for
+// glycols at most: as a mean of eight hours, and as a peak.
+inline constexpr HazePreset kHazePresets[] = {
+    {"none", 0}, {"hint", 1}, {"light haze", 2.5}, {"haze", 5}, {"heavy haze", 10}, {"fog", 40},
+};
 
 // Null where there is none of that name.
-const HazePreset* find_haze_preset(std::string_view name);
+inline const HazePreset* find_haze_preset(std::string_view name) {
+    const auto* found = std::find_if(std::begin(kHazePresets), std::end(kHazePresets),
+                                     [&](const HazePreset& preset) { return preset.name == name; });
+    return found == std::end(kHazePresets) ? nullptr : found;
+}
 
 // "is 'fogs', expected one of "none", ..., did you mean 'fog'?"
-std::string no_such_haze_preset(std::string_view name);
+inline std::string no_such_haze_preset(std::string_view name) {
+    std::vector<std::string> names;
+    std::string text = "is '" + std::string(name.substr(0, 40)) + "', expected one of";
+    for (const HazePreset& preset : kHazePresets) {
+        text += (names.empty() ? " \"" : ", \"") + std::string(preset.name) + "\"";
+        names.emplace_back(preset.name);
+    }
+    return text + did_you_mean(name, names);
+}
 
 } // namespace ghost::scene

@@ -5,15 +5,12 @@
 // any thread.
 
 #include "base/result.h"
+#include "show/same_fixtures.h"
 
-#include <map>
 #include <set>
 #include <string>
 
 namespace ghost::scene {
-
-// From the name that a fixture had to the one that it has.
-using FixtureNames = std::map<std::string, std::string>;
 
 // all: the names of the show's fixtures as they are now. A pattern stays, the new name stands beside it where
 // it does not fit, and one that fits nothing any more goes. Error: it is written in a way that cannot be

@@ -10,9 +10,14 @@
 #include "show/show.h"
 
 #include <filesystem>
+#include <map>
+#include <memory>
 #include <string>
 
 namespace ghost::scene {
+
+// Of fixture files, by whole path in its normal form.
+using KnownTypes = std::map<std::filesystem::path, std::shared_ptr<const fixture::Type>>;
 
 // path: show.toml, the folder that holds it, or an .mvr. Where it says no camera, it gets some of its own
 // (show/default_cameras.h). An error only where nothing can go on (no such file, not TOML, stopped); all else
@@ -28,8 +33,8 @@ Result<Show> load_show_text(const std::filesystem::path& file, const std::string
 // The show that was open, with fixtures, cameras and air as the text has them, for who must show an edit at
 // once: its fixtures are those that load_show_text would give. Of files, only those of [[fixture]] and
 // [[substitute]] that were not read before are opened: a fixture of the plot that needs another one is dark,
-// and a screen that was hidden is not there, until the show is opened.
-Result<Show> preview_edit(const Show& before, const std::string& text);
+// and a screen that was hidden is not there, until the show is opened. known: read elsewhere.
+Result<Show> preview_edit(const Show& before, const std::string& text, KnownTypes known = {});
 
 // The model of stage_file and all that the plot draws. What cannot be read goes to the report. Error:
 // stopped.

@@ -11,10 +11,9 @@
 
 namespace ghost::scene {
 
-Result<Show> preview_edit(const Show& before, const std::string& text) {
+Result<Show> preview_edit(const Show& before, const std::string& text, KnownTypes known) {
     Report unsaid; // whoever opens the text says it
     TRY(ParsedShow parsed, parse_show(text, before.file, unsaid));
-    KnownTypes known;
     for (const PatchedFixture& fixture : before.fixtures)
         if (fixture.type) known[(before.folder / fixture.gdtf).lexically_normal()] = fixture.type;
     load_types(parsed, std::move(known), unsaid);

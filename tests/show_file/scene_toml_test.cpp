@@ -98,7 +98,7 @@ TEST(SceneToml, EvenLight) {
 
 TEST(SceneToml, HazePresets) {
     double before = -1;
-    for (const HazePreset& preset : haze_presets()) {
+    for (const HazePreset& preset : kHazePresets) {
         const Show show = good(kHead + "[haze]\npreset = \"" + std::string(preset.name) + "\"\n");
         EXPECT_FLOAT_EQ(show.haze.extinction_per_m, static_cast<float>(preset.milligrams_per_m3 * 0.0045));
         EXPECT_FLOAT_EQ(show.haze.forward_g, 0.77f);

@@ -43,6 +43,11 @@ address = 33
 position_m = [3, 0, 4]
 )";
 
+// For PatchEdit::add: there, whatever is added.
+inline PatchEdit::Place at(float x_m, float y_m, float z_m) {
+    return [=](const scene::PatchedFixture&) { return glm::vec3(x_m, y_m, z_m); };
+}
+
 inline std::shared_ptr<const fixture::Type> lamp() {
     static const auto type = [] {
         auto made = std::make_shared<fixture::Type>();

@@ -5,7 +5,7 @@
 #include "gpu/device_failures.h"
 #include "gpu/device_memory.h"
 #include "gpu/workers.h"
-#include "live/session/take_patch.h"
+#include "show/same_fixtures.h"
 
 #include "base/log.h"
 #include "base/memory.h"
@@ -207,7 +207,7 @@ void Engine::adopt(std::unique_ptr<Session> session, Opening::Kind kind) {
     drawn_text_ = text_;
     if (kind != Opening::Kind::another && session_before)
         session_->rig->go_on_from(*session_before->rig,
-                                  same_fixtures(*session_before->show, *session_->show));
+                                  scene::same_fixtures(*session_before->show, *session_->show));
     begin_controls(kind);
     const std::unique_ptr<LiveInput> before = std::move(input_);
     look_ = std::make_unique<AppliedLook>(*session_);

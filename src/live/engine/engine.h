@@ -107,6 +107,7 @@ private:
     void take_edit();
     // Of the request, by the indices of the show that is drawn.
     const ui::Look& look_of_drawn();
+    std::optional<std::size_t> fixture_of_drawn(const std::optional<std::size_t>& fixture) const; // likewise
     void take_air(const scene::Show& edited);
     void choose_recording();
 

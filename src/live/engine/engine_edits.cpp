@@ -4,6 +4,7 @@
 #include "live/engine/engine.h"
 
 #include "disk/files.h"
+#include "link/carried.h"
 #include "live/session/applied_look.h"
 #include "live/session/take_patch.h"
 #include "show_file/show_edit.h"
@@ -51,6 +52,11 @@ const ui::Look& Engine::look_of_drawn() {
     if (request_.text == drawn_text_ || !request_.counted) return request_.look;
     counted_ = counted_as(*session_->show, request_.look, *request_.counted);
     return counted_;
+}
+
+std::optional<std::size_t> Engine::fixture_of_drawn(const std::optional<std::size_t>& fixture) const {
+    if (request_.text == drawn_text_ || !request_.counted) return fixture;
+    return ui::carried(fixture, *request_.counted, *session_->show);
 }
 
 void Engine::take_air(const scene::Show& edited) {

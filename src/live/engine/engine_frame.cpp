@@ -265,8 +265,9 @@ void Engine::frame() {
     bounce_news_.publish(*session_, bounce_ms_, begin_s);
     rig_news_.publish(*session_, *input_, controls_.remote(), shown_.lights, recorder_.seconds(), begin_s);
     rig_news_.explain(
-        {request_.explained, request_.hovered, request_.explains_all}, *session_, *input_, patch_,
-        [&]() -> const bake::Tracer& { return probe_.tracer(*session_); }, begin_s);
+        {fixture_of_drawn(request_.explained), fixture_of_drawn(request_.hovered), request_.explains_all},
+        *session_, *input_, patch_, [&]() -> const bake::Tracer& { return probe_.tracer(*session_); },
+        begin_s);
     probe_.pick(request_.pick, *session_);
     if (!statistics.stopped) {
         probe_.probe(request_.probe, shown(), begin_s, drew);

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace ghost::app {
 namespace {
@@ -93,6 +94,8 @@ void RigNews::explain(const Question& question, const Session& session, const Li
     const auto is_due = [&](const std::optional<std::size_t>& fixture, double last_s) {
         return fixture && *fixture < session.show->fixtures.size() && now_s - last_s >= kExplainEvery_s;
     };
+    // Nothing is said of another one until it is.
+    if (question.fixture != std::exchange(asked_, question.fixture)) explained_s_ = -kExplainEvery_s;
     const bool explains_one = is_due(question.fixture, explained_s_);
     const bool explains_hovered = is_due(question.hovered, hovered_s_);
     const bool explains_all = question.all && now_s - verdicts_s_ >= kVerdictsEvery_s;

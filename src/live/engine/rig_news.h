@@ -34,6 +34,7 @@ public:
 
 private:
     ui::Link& link_;
+    std::optional<std::size_t> asked_; // fixture of the last question
     double sent_s_ = 0, explained_s_ = 0, hovered_s_ = 0, verdicts_s_ = 0;
 };
 

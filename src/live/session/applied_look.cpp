@@ -2,7 +2,7 @@
 #include "live/session/applied_look.h"
 
 #include "light/bodies.h"
-#include "live/session/take_patch.h"
+#include "link/carried.h"
 #include "stage/box.h"
 
 #include <algorithm>
@@ -72,28 +72,11 @@ ui::Opened opened_from(const Session& session) {
 }
 
 ui::Look counted_as(const scene::Show& show, const ui::Look& look, const scene::Show& counted) {
-    ui::Look anew = look;
-    anew.fixtures.clear();
-    anew.solo.clear();
-    anew.movers.clear();
-    std::vector<std::optional<std::size_t>> same = same_fixtures(counted, show);
-    std::vector<bool> is_known(counted.fixtures.size());
-    for (const std::optional<std::size_t>& index : same)
-        if (index) is_known[*index] = true;
-    for (std::size_t i = 0; i < same.size(); ++i) {
-        if (!same[i] && same.size() == is_known.size() && !is_known[i]) same[i] = i;
-        if (!same[i]) {
-            if (!look.solo.empty()) anew.fixtures[i].intensity = 0.0f; // not one of those
-            continue;
-        }
-        if (const auto held = look.fixtures.find(*same[i]); held != look.fixtures.end())
-            anew.fixtures[i] = held->second;
-        if (look.solo.contains(*same[i])) anew.solo.insert(i);
-    }
-    for (const auto& [index, values] : look.movers)
-        for (std::size_t m = 0; m < show.movers.size(); ++m)
-            if (index < counted.movers.size() && show.movers[m].name == counted.movers[index].name)
-                anew.movers[m] = values;
+    ui::Look anew = ui::carried(look, counted, show);
+    if (look.solo.empty()) return anew;
+    const std::vector<std::optional<std::size_t>> same = scene::same_fixtures(counted, show);
+    for (std::size_t i = 0; i < same.size(); ++i)
+        if (!same[i]) anew.fixtures[i].intensity = 0.0f; // not one of those
     return anew;
 }
 

@@ -11,9 +11,9 @@ namespace ghost::app {
 // What can be hidden and changed by hand, for the window.
 ui::Opened opened_from(const Session& session);
 
-// The look that goes by the indices of one show, by those of another one: heads by the plot's UUID or by
-// name, or, where one was renamed, by number; movers by name; what that show does not have is left out. Of
-// objects and materials, which a show has no list of, the indices stay.
+// The look that goes by the indices of one show, by those of another one (link/carried.h), where heads that
+// it does not know are dark beside those that shine alone. Of objects and materials, which a show has no list
+// of, the indices stay.
 ui::Look counted_as(const scene::Show& show, const ui::Look& look, const scene::Show& counted);
 
 // The session's show has the haze, the hazers and the bounced light of that one now. True: the air is

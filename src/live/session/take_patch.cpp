@@ -5,7 +5,6 @@
 #include "light/led_wall_light.h"
 
 #include <algorithm>
-#include <map>
 
 namespace ghost::app {
 namespace {
@@ -59,20 +58,6 @@ bool take_patch(Session& session, const scene::Show& edited, const Report& repor
     messages.insert(messages.begin(), report.messages.begin(), report.messages.end());
     session.of_show_file = report.messages.size();
     return true;
-}
-
-std::vector<std::optional<std::size_t>> same_fixtures(const scene::Show& before, const scene::Show& show) {
-    const auto key = [](const scene::PatchedFixture& fixture) {
-        return fixture.uuid.empty() ? "name " + fixture.name : "uuid " + fixture.uuid;
-    };
-    std::map<std::string, std::size_t> indices;
-    for (std::size_t i = 0; i < before.fixtures.size(); ++i) indices.try_emplace(key(before.fixtures[i]), i);
-    std::vector<std::optional<std::size_t>> same;
-    for (const scene::PatchedFixture& fixture : show.fixtures) {
-        const auto found = indices.find(key(fixture));
-        same.push_back(found == indices.end() ? std::nullopt : std::optional(found->second));
-    }
-    return same;
 }
 
 } // namespace ghost::app

@@ -13,8 +13,4 @@ namespace ghost::app {
 // The rig goes on from where it was.
 bool take_patch(Session& session, const scene::Show& edited, const Report& report);
 
-// For each fixture of the show its index in the one before, by the plot's UUID or by name; for
-// Rig::go_on_from.
-std::vector<std::optional<std::size_t>> same_fixtures(const scene::Show& before, const scene::Show& show);
-
 } // namespace ghost::app

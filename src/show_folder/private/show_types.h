@@ -5,10 +5,9 @@
 
 #include "base/report.h"
 #include "show_file/show_toml.h"
+#include "show_folder/load_show.h"
 
 #include <filesystem>
-#include <map>
-#include <memory>
 #include <string>
 
 namespace ghost {
@@ -16,9 +15,6 @@ class Suggestions; // base/suggest.h
 } // namespace ghost
 
 namespace ghost::scene {
-
-// By whole path, in its normal form.
-using KnownTypes = std::map<std::filesystem::path, std::shared_ptr<const fixture::Type>>;
 
 // Types and modes of the text's fixtures. known: need not be read again.
 void load_types(ParsedShow& parsed, KnownTypes known, Report& report);

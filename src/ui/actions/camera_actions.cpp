@@ -34,12 +34,13 @@ Result<void> go_to(AppModel& app, const QString& which) {
         app.travel_to_stored(cameras[static_cast<std::size_t>(number - 1)]);
         return {};
     }
-    if (is_number)
+    const Result<std::size_t> found = app.show()->find_camera(which.toStdString());
+    if (!found.ok() && is_number)
         return Error{"the show has " + std::to_string(cameras.size()) + " cameras, no number " +
                          which.toStdString(),
                      ""};
-    TRY(const std::size_t found, app.show()->find_camera(which.toStdString()));
-    app.travel_to_stored(cameras[found]);
+    TRY_VOID(found);
+    app.travel_to_stored(cameras[*found]);
     return {};
 }
 

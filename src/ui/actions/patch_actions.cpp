@@ -2,7 +2,6 @@
 #include "ui/actions/patch_actions.h"
 
 #include "dmx/wire/universes.h"
-#include "fixture_files/load_type.h"
 #include "show/camera_moves.h"
 #include "show/show.h"
 #include "ui/actions/hang_edit.h"
@@ -109,14 +108,9 @@ void add_patch_actions(Actions& actions, AppModel& app, ShowDocument& document) 
                     number_of(words, axis + 1, "metres", -scene::kMaxCoordinate_m, scene::kMaxCoordinate_m));
                 floor_m[axis] = static_cast<float>(metres);
             }
-            scene::PatchedFixture made; // how wide it is
-            if (auto loaded = fixture::load_type(words[0].toStdString());
-                loaded.ok() && !loaded->type.modes.empty())
-                made.type = std::make_shared<const fixture::Type>(std::move(loaded->type));
-            const std::vector<scene::PatchedFixture> none;
-            return edit.add(words[0].toStdString(),
-                            place_above(app.opened().objects, app.show() ? app.show()->fixtures : none, made,
-                                        floor_m, kLowestHead_m));
+            return edit.add(words[0].toStdString(), [&](const scene::PatchedFixture& made) {
+                return place_above(app.opened().objects, app.show()->fixtures, made, floor_m, kLowestHead_m);
+            });
         },
         {translated("Files", "Add a fixture"),
          translated("Files", "Fixtures (*.gdtf *.qxf *.json);;All files (*)"), ""});

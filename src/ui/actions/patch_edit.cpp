@@ -12,10 +12,13 @@
 #include "show_file/mover_edit.h"
 #include "ui/actions/hang_edit.h"
 #include "ui/language/language.h"
+#include "ui/model/aside.h"
 
 #include <algorithm>
 #include <map>
+#include <memory>
 #include <set>
+#include <type_traits>
 
 namespace ghost::ui {
 namespace {
@@ -52,6 +55,46 @@ Look counted_anew(const Look& look, F&& f) {
     for (const std::size_t index : look.solo)
         if (const std::optional<std::size_t> now = f(index)) anew.solo.insert(*now);
     return anew;
+}
+
+// As a show in that folder writes it; "": it lies elsewhere.
+std::string name_inside(const fs::path& file, const fs::path& folder) {
+    std::error_code code;
+    const fs::path inside = fs::relative(file, folder, code);
+    return !code && !inside.empty() && *inside.begin() != ".." ? inside.generic_string() : "";
+}
+
+Result<std::string> copied_beside(const fs::path& file, const fs::path& folder, std::uintmax_t most_bytes) {
+    const fs::path inside = file.filename();
+    TRY(const std::vector<std::uint8_t> bytes, read_file(file, most_bytes));
+    const auto there = read_file(folder / inside, most_bytes);
+    if (there.ok() && *there != bytes)
+        return Error{"another file of this name lies beside the show already; rename the new one, or put it "
+                     "there yourself and the show takes it",
+                     (folder / inside).string()};
+    if (there.ok()) return inside.generic_string();
+    const fs::path temporary = temporary_beside(folder / inside);
+    TRY_VOID(write_file_atomic(temporary, bytes));
+    const auto done = commit_new(temporary, folder / inside);
+    if (done.ok() && *done) return inside.generic_string();
+    std::error_code code;
+    fs::remove(temporary, code);
+    return done.ok() ? there.error() : done.error(); // what is there cannot be read
+}
+
+struct FixtureFile {
+    std::shared_ptr<const fixture::Type> type;
+    std::string inside; // as the show writes it
+};
+
+Result<FixtureFile> read_fixture(const fs::path& file, const fs::path& folder) {
+    TRY(fixture::LoadedType loaded, fixture::load_type(file));
+    if (loaded.type.modes.empty()) return Error{"has no DMX mode", file.string()};
+    FixtureFile read{std::make_shared<const fixture::Type>(std::move(loaded.type)),
+                     name_inside(file, folder)};
+    if (!read.inside.empty()) return read;
+    TRY(read.inside, copied_beside(file, folder, kMostFixtureBytes));
+    return read;
 }
 
 } // namespace
@@ -314,25 +357,20 @@ Result<void> PatchEdit::remove() {
                           {std::move(text), counted_anew(app_.look(), place), {}});
 }
 
+// The window goes on meanwhile, perhaps to another show.
+template <class Work>
+std::invoke_result_t<Work> PatchEdit::aside_of_show(Work work) const {
+    const fs::path file = app_.show()->file;
+    std::invoke_result_t<Work> done = aside(std::move(work));
+    if (done.ok() && (!app_.show() || app_.show()->file != file))
+        return Error{"another show was opened meanwhile; it is left as it is", file.string()};
+    return done;
+}
+
 Result<std::string> PatchEdit::beside_show(const fs::path& file, std::uintmax_t most_bytes) const {
-    const fs::path& folder = app_.show()->folder;
-    std::error_code code;
-    fs::path inside = fs::relative(file, folder, code);
-    if (!code && !inside.empty() && *inside.begin() != "..") return inside.generic_string();
-    inside = file.filename();
-    TRY(const std::vector<std::uint8_t> bytes, read_file(file, most_bytes));
-    const auto there = read_file(folder / inside, most_bytes);
-    if (there.ok() && *there != bytes)
-        return Error{"another file of this name lies beside the show already; rename the new one, or put it "
-                     "there yourself and the show takes it",
-                     (folder / inside).string()};
-    if (there.ok()) return inside.generic_string();
-    const fs::path temporary = temporary_beside(folder / inside);
-    TRY_VOID(write_file_atomic(temporary, bytes));
-    const auto done = commit_new(temporary, folder / inside);
-    if (done.ok() && *done) return inside.generic_string();
-    fs::remove(temporary, code);
-    return done.ok() ? there.error() : done.error(); // what is there cannot be read
+    const fs::path folder = app_.show()->folder;
+    if (const std::string inside = name_inside(file, folder); !inside.empty()) return inside;
+    return aside_of_show([=] { return copied_beside(file, folder, most_bytes); });
 }
 
 Result<std::string> PatchEdit::fixture_beside_show(const fs::path& file) const {
@@ -474,24 +512,26 @@ std::optional<fixture::Address> PatchEdit::address_for_new(int footprint) const 
     return free ? free : first;
 }
 
-Result<void> PatchEdit::add(const fs::path& file, const glm::vec3& position_m) {
+Result<void> PatchEdit::add(const fs::path& file, const Place& place_of) {
     TRY_VOID(document_.check_editable());
-    TRY(const fixture::LoadedType loaded, fixture::load_type(file));
-    if (loaded.type.modes.empty()) return Error{"has no DMX mode", file.string()};
-    TRY(const std::string inside, beside_show(file, kMostFixtureBytes));
+    const fs::path folder = app_.show()->folder;
+    TRY(const FixtureFile read, aside_of_show([=] { return read_fixture(file, folder); }));
+    const fixture::Type& type = *read.type;
+    document_.know(folder / read.inside, read.type);
+    scene::PatchedFixture hung; // how wide it is
+    hung.type = read.type;
+    const glm::vec3 position_m = place_of(hung);
     std::set<std::string> taken;
     for (const scene::PatchedFixture& fixture : fixtures()) taken.insert(fixture.name);
-    scene::NewFixture made{inside, {}};
-    std::string name = loaded.type.name;
+    scene::NewFixture made{read.inside, {}};
+    std::string name = type.name;
     std::erase_if(name,
                   [](char letter) { return std::string("/\\:*?\"<>|").find(letter) != std::string::npos; });
     made.keys.name = next_name((name.empty() ? "Fixture" : name.substr(0, 80)) + " 0", taken);
-    made.keys.address =
-        address_for_new(fixture::footprint_of(loaded.type, 0)).value_or(fixture::Address{1, 0});
+    made.keys.address = address_for_new(fixture::footprint_of(type, 0)).value_or(fixture::Address{1, 0});
     made.keys.position_m = position_m;
     // One that is not said is a guess, which is told of every time.
-    if (loaded.type.modes.size() > 1 && !loaded.type.modes.front().name.empty())
-        made.keys.mode = loaded.type.modes.front().name;
+    if (type.modes.size() > 1 && !type.modes.front().name.empty()) made.keys.mode = type.modes.front().name;
     TRY(std::string text, scene::add_fixture(document_.text(), made));
     if (const std::string mover = carrier_at(app_, position_m); !mover.empty()) {
         TRY(text, scene::hang_on_mover(text, mover, {*made.keys.name}));

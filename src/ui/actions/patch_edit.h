@@ -10,9 +10,11 @@
 
 #include <QString>
 
+#include <functional>
 #include <optional>
 #include <set>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -51,8 +53,9 @@ public:
     Result<void> duplicate(const glm::vec3& by_m);
     // Objects of a plot are hidden, which its next version does not undo.
     Result<void> remove();
-    // A fixture file; one from elsewhere is copied beside the show first.
-    Result<void> add(const std::filesystem::path& file, const glm::vec3& position_m);
+    // A fixture file; one from elsewhere is copied beside the show first, and the window goes on meanwhile.
+    using Place = std::function<glm::vec3(const scene::PatchedFixture& made)>;
+    Result<void> add(const std::filesystem::path& file, const Place& place_of);
     // The picture as it is seen now becomes a camera of the show; name empty: "Camera 3" and so on.
     Result<void> keep_camera(const QString& name);
     // which: a number from 1, or a name; empty: where the picture stands. What refers to it by name has the
@@ -82,6 +85,8 @@ private:
     std::optional<fixture::Address> address_for_new(int footprint) const;
     // The path as the show writes it; a file from elsewhere is copied beside the show.
     Result<std::string> beside_show(const std::filesystem::path& file, std::uintmax_t most_bytes) const;
+    template <class Work>
+    std::invoke_result_t<Work> aside_of_show(Work work) const;
     Result<void> set_file(const QString& what, const std::string& key, const std::filesystem::path& file);
 
     const std::set<std::size_t>& chosen() const { return one_ ? *one_ : app_.selection(); }

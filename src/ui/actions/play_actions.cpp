@@ -5,6 +5,7 @@
 #include "dmx/record/recording.h"
 #include "show/show.h"
 #include "ui/language/language.h"
+#include "ui/model/aside.h"
 
 #include <QDateTime>
 
@@ -33,7 +34,14 @@ Result<void> record(AppModel& app, const QStringList& words) {
 
 Result<void> play_file(AppModel& app, const std::string& file) {
     // What is no recording must not stop the one that plays.
-    if (!file.empty()) TRY_VOID(dmx::read_recording(file));
+    const std::uint64_t opens = app.request().opens;
+    const auto check = [&file]() -> Result<void> {
+        TRY_VOID(dmx::read_recording(file));
+        return {};
+    };
+    if (!file.empty()) TRY_VOID(aside(check));
+    if (app.request().opens != opens)
+        return Error{"another show was opened meanwhile; its own recording plays", file};
     app.change_request([&](ViewRequest& request) {
         request.recording = file;
         request.input = Input::recording;

@@ -5,6 +5,7 @@
 #include <QDir>
 #include <QFileInfo>
 #include <QLocalSocket>
+#include <QPointer>
 
 #include <filesystem>
 #include <system_error>
@@ -71,7 +72,9 @@ void Script::step() {
             continue;
         }
         runs_ = true;
+        const QPointer<Script> self(this); // who sent it may hang up while it is done
         const Result<void> done = actions_.run(line);
+        if (!self) return;
         runs_ = false;
         if (on_line) on_line(done);
     }

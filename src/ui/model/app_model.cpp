@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/model/app_model.h"
 
+#include "base/text.h"
 #include "beam_groups/light_places.h"
+#include "link/carried.h"
 #include "show/camera_moves.h"
 #include "show/show.h"
+#include "ui/language/language.h"
 #include "ui/model/look_fade.h"
-#include "ui/model/private/carried.h"
 #include "ui/model/private/undo_ids.h"
 
 #include <QCoreApplication>
@@ -14,8 +16,6 @@
 #include <cmath>
 #include <filesystem>
 #include <iterator>
-#include <map>
-#include <string_view>
 #include <utility>
 
 namespace ghost::ui {
@@ -29,27 +29,23 @@ RigNow rig_at_home(const scene::Show& show) {
     return rig;
 }
 
-// What is said of the fixtures of the show that is drawn, for those of one that is shown already: fixtures go
-// by name, or, where one was renamed, by number.
+// What is said of the fixtures of the show that is drawn, for those of one that is shown already.
 RigNow rig_of(const scene::Show& show, const scene::Show& drawn, RigNow rig) {
-    std::map<std::string_view, std::size_t> places;
-    for (std::size_t i = 0; i < drawn.fixtures.size(); ++i) places.emplace(drawn.fixtures[i].name, i);
-    RigNow at_home = rig_at_home(show);
-    for (std::size_t i = 0; i < show.fixtures.size(); ++i) {
-        const auto found = places.find(show.fixtures[i].name);
-        const bool is_renamed = found == places.end() && show.fixtures.size() == drawn.fixtures.size();
-        const std::size_t from = is_renamed ? i : found == places.end() ? rig.fixtures.size() : found->second;
-        if (from < rig.fixtures.size()) at_home.fixtures[i] = rig.fixtures[from];
-    }
-    rig.fixtures = std::move(at_home.fixtures);
+    rig.fixtures = carried(rig.fixtures, rig_at_home(show).fixtures, drawn, show);
     return rig;
+}
+
+// Likewise; nothing is wrong with one that is not drawn yet.
+std::vector<Verdict> verdicts_of(const scene::Show& show, const scene::Show& drawn,
+                                 const std::vector<Verdict>& verdicts) {
+    return carried(verdicts, std::vector<Verdict>(show.fixtures.size()), drawn, show);
 }
 
 // Whether a fade goes on: what it mixes by index is the same.
 bool is_same_rig(const scene::Show& a, const scene::Show& b) {
     return std::equal(a.fixtures.begin(), a.fixtures.end(), b.fixtures.begin(), b.fixtures.end(),
                       [](const scene::PatchedFixture& x, const scene::PatchedFixture& y) {
-                          return is_same_fixture(x, y) && x.name == y.name && x.type == y.type &&
+                          return scene::is_same_fixture(x, y) && x.name == y.name && x.type == y.type &&
                                  x.mode == y.mode;
                       }) &&
            std::equal(a.movers.begin(), a.movers.end(), b.movers.begin(), b.movers.end(),
@@ -158,8 +154,7 @@ void AppModel::read_news() {
     if (auto news = link_.picked.take(); news && news->number == request_.pick.number) {
         picked_ = std::move(*news);
         if (picked_.fixture && drawn_ && show()) // which may be that before an edit
-            picked_.fixture = place_of(*picked_.fixture, drawn_->fixtures, show()->fixtures,
-                                       [](const auto& a, const auto& b) { return a.name == b.name; });
+            picked_.fixture = carried(picked_.fixture, *drawn_, *show());
         Q_EMIT picked_came();
     }
     if (auto news = link_.recorded.take()) {
@@ -198,19 +193,40 @@ void AppModel::read_news() {
         network_ = std::move(*news);
         Q_EMIT network_came();
     }
-    if (auto news = link_.verdicts.take(); news && request_.explains_all) {
-        verdicts_ = std::move(*news);
+    if (auto news = link_.verdicts.take(); news && request_.explains_all && drawn_ && show()) {
+        verdicts_ = drawn_ == show() ? std::move(*news) : verdicts_of(*show(), *drawn_, *news);
         Q_EMIT verdicts_came();
     }
-    if (auto news = link_.explained.take()) {
+    if (auto news = shown_place_of(link_.explained.take())) {
         explained_ = std::move(*news);
         Q_EMIT explanation_came();
     }
-    if (auto news = link_.hovered.take(); news && request_.hovered == news->fixture) {
+    if (auto news = shown_place_of(link_.hovered.take()); news && request_.hovered == news->fixture) {
         hovered_ = std::move(*news);
         Q_EMIT hovered_came();
     }
     news_cost_ += std::chrono::steady_clock::now() - begin;
+}
+
+// What is said of a fixture that is drawn, for the place that it has in the show that is shown already.
+// Nothing: it has none there, or the show was another one when it was said.
+std::optional<Explained> AppModel::shown_place_of(std::optional<Explained> news) const {
+    if (!news || !drawn_ || !show() || news->fixture >= drawn_->fixtures.size() ||
+        drawn_->fixtures[news->fixture].name != news->explanation.fixture)
+        return std::nullopt;
+    const auto place = carried(std::optional(news->fixture), *drawn_, *show());
+    if (!place) return std::nullopt;
+    news->fixture = *place;
+    return news;
+}
+
+// Of fixtures, by their new numbers.
+void AppModel::count_news_anew(const scene::Show& before, const scene::Show& now) {
+    rig_ = rig_of(now, before, std::move(rig_));
+    if (!verdicts_.empty()) verdicts_ = verdicts_of(now, before, verdicts_);
+    const auto place = carried(std::optional(explained_.fixture), before, now);
+    if (!place) explained_ = {};
+    explained_.fixture = place.value_or(0);
 }
 
 void AppModel::publish_looks(LooksNow looks) {
@@ -262,9 +278,7 @@ void AppModel::take_opened(Opened opened) {
     const bool keeps_hands =
         std::exchange(made_of_plot_, 0) == opened_.opens && opened_.opens > 0 && before.show && opened_.show;
     std::set<std::size_t> selection;
-    for (const std::size_t index : selection_)
-        if (const auto place = keeps_hands ? fixture_of(index, *before.show, *opened_.show) : std::nullopt)
-            selection.insert(*place);
+    if (keeps_hands) selection = carried(selection_, *before.show, *opened_.show);
     if (!is_copy) put_selection({});
     put_selection(is_copy ? selection_ : std::move(selection));
     rig_ = opened_.show ? rig_at_home(*opened_.show) : RigNow{};
@@ -273,6 +287,8 @@ void AppModel::take_opened(Opened opened) {
     verdicts_.clear();
     camera_pictures_.clear();
     fader_.forget();
+    const std::vector<std::string> lost =
+        keeps_hands ? lost_of(look_, *before.show, *opened_.show) : std::vector<std::string>{};
     look_ = request_.look = is_copy ? look_ : keeps_hands ? carried(look_, before, opened_) : Look{};
     request_.explained.reset();
     request_.stops_bounce = false;
@@ -293,6 +309,7 @@ void AppModel::take_opened(Opened opened) {
     }
     Q_EMIT selection_changed();
     Q_EMIT look_changed();
+    tell_lost(lost);
 }
 
 // An edit of this window is shown by the fixtures that it has. What other files say is known when they are
@@ -302,20 +319,25 @@ void AppModel::go_on_from(const Opened& before, bool are_files_others) {
     if (!before.show || !opened_.show) return;
     if (marked_) marked_ = place_of(*marked_, before.objects, opened_.objects, kIsCalledSo);
     const bool has_other_heads =
-        counts_otherwise(before.show->fixtures, opened_.show->fixtures, is_same_fixture) ||
+        counts_otherwise(before.show->fixtures, opened_.show->fixtures, scene::is_same_fixture) ||
         counts_otherwise(before.show->movers, opened_.show->movers, kIsCalledSo);
     const bool has_another_stage =
         are_files_others && (counts_otherwise(before.objects, opened_.objects, kIsCalledSo) ||
                              counts_otherwise(before.materials, opened_.materials, kIsCalledSo));
     if (!has_other_heads && !has_another_stage) return;
-    std::set<std::size_t> selection;
-    for (const std::size_t index : selection_)
-        if (const auto place = fixture_of(index, *before.show, *opened_.show)) selection.insert(*place);
-    put_selection(std::move(selection));
+    count_news_anew(*before.show, *opened_.show);
+    put_selection(carried(selection_, *before.show, *opened_.show));
+    tell_lost(lost_of(look_, *before.show, *opened_.show));
     look_ = has_another_stage ? carried(look_, before, opened_) : carried(look_, *before.show, *opened_.show);
     fader_.forget();
     undo_.clear();
     show_look();
+}
+
+void AppModel::tell_lost(const std::vector<std::string>& names) {
+    if (!names.empty())
+        Q_EMIT failed(translated("Notice", "Not in the show any more, with what hands held of it: %1")
+                          .arg(QString::fromStdString(name_list(names))));
 }
 
 void AppModel::read_again(std::shared_ptr<const std::string> text) {
@@ -495,7 +517,7 @@ void AppModel::show_look() {
 void AppModel::put_edit(std::shared_ptr<const std::string> text, scene::Show preview, const Look& look,
                         std::set<std::size_t> selection) {
     const bool is_same = show() && is_same_rig(*show(), preview);
-    if (show()) rig_ = rig_of(preview, *show(), std::move(rig_));
+    if (show()) count_news_anew(*show(), preview);
     opened_.show = std::make_shared<const scene::Show>(std::move(preview));
     opened_.is_edit = true;
     put_selection(std::move(selection));

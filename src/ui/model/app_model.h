@@ -136,6 +136,9 @@ public:
     // hold stays with the heads and objects that it is on.
     void read_again(std::shared_ptr<const std::string> text);
 
+    // Of fixtures and movers that another text, or the next version, of the show does not have.
+    void tell_lost(const std::vector<std::string>& names);
+
     // Long work in the background.
     Jobs& jobs() { return jobs_; }
     const Jobs& jobs() const { return jobs_; }
@@ -195,6 +198,8 @@ private:
     friend class LookStep;
 
     void read_news();
+    std::optional<Explained> shown_place_of(std::optional<Explained> news) const;
+    void count_news_anew(const scene::Show& before, const scene::Show& now);
     void take_opened(Opened opened);
     void go_on_from(const Opened& before, bool are_files_others);
     void show_edit();

@@ -326,7 +326,8 @@ std::string Looks::current() const {
     if (const Result<std::size_t> last = scene::find_look(looks_, last_);
         last.ok() && is_there(looks_[*last]))
         return last_;
-    const auto found = std::find_if(looks_.begin(), looks_.end(), is_there);
+    // Who holds nothing has recalled none, be there one without values.
+    const auto found = can_store() ? std::find_if(looks_.begin(), looks_.end(), is_there) : looks_.end();
     return found == looks_.end() ? "" : found->name;
 }
 

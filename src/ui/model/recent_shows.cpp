@@ -10,10 +10,25 @@
 #include <QSettings>
 #include <QStandardPaths>
 
+#include <algorithm>
+#include <utility>
+
 namespace ghost::ui {
 namespace {
 
 constexpr int kWidth_px = 320, kHeight_px = 180;
+constexpr int kLookEvery_px = 8;
+constexpr std::uint8_t kSeen = 24; // of 255
+
+// Whether there is light in it: a show is left in a black-out more often than not.
+bool shows_something(const image::Image8& image) {
+    for (int y = 0; y < image.height; y += kLookEvery_px)
+        for (int x = 0; x < image.width; x += kLookEvery_px)
+            if (const std::uint8_t* const pixel = image.at(x, y);
+                std::max({pixel[0], pixel[1], pixel[2]}) >= kSeen)
+                return true;
+    return false;
+}
 
 QString picture_of(const QString& path) {
     const QByteArray name = QCryptographicHash::hash(path.toUtf8(), QCryptographicHash::Sha1).toHex();
@@ -33,7 +48,7 @@ RecentShows::RecentShows(AppModel& app, bool remembers) : app_(app), remembers_(
             shows_.push_back({path, settings.value("name").toString(), picture_of(path)});
     }
     connect(&app_, &AppModel::opened_show, this, &RecentShows::take_opened);
-    connect(&app_, &AppModel::picture_came, this, [this] { has_picture_ = true; });
+    connect(&app_, &AppModel::picture_came, this, &RecentShows::take_picture);
 }
 
 RecentShows::~RecentShows() {
@@ -42,8 +57,7 @@ RecentShows::~RecentShows() {
 
 void RecentShows::take_opened() {
     if (app_.opened().is_edit) return;
-    keep_picture(); // of the one before, which the model still has
-    has_picture_ = false;
+    keep_picture(); // of the one before
     const scene::Show& show = *app_.show();
     open_ = QFileInfo(QString::fromStdString(show.file.string())).absoluteFilePath();
     std::erase_if(shows_, [this](const One& one) { return one.path == open_; });
@@ -60,11 +74,14 @@ void RecentShows::take_opened() {
     Q_EMIT changed();
 }
 
+void RecentShows::take_picture() {
+    const auto& image = app_.picture().image;
+    if (image && image->channels == 4 && image->width > 0 && shows_something(*image)) picture_ = image;
+}
+
 void RecentShows::keep_picture() {
-    const auto image = app_.picture().image;
-    if (!remembers_ || !has_picture_ || open_.isEmpty() || !image || image->channels != 4 ||
-        image->width <= 0)
-        return;
+    const auto image = std::exchange(picture_, nullptr);
+    if (!remembers_ || open_.isEmpty() || !image) return;
     const QImage whole(image->samples.data(), image->width, image->height, 4 * image->width,
                        QImage::Format_RGBX8888);
     const QString file = picture_of(open_);

@@ -1,13 +1,14 @@
 #pragma once
 // SPDX-License-Identifier: Apache-2.0
 // RecentShows: the shows that were opened last, newest first, each with a small picture of how it looked when
-// it was left. Kept in the user's settings and cache, never in the show. Window thread.
+// there was light on it last. Kept in the user's settings and cache, never in the show. Window thread.
 
 #include "ui/model/app_model.h"
 
 #include <QObject>
 #include <QString>
 
+#include <memory>
 #include <vector>
 
 namespace ghost::ui {
@@ -32,13 +33,14 @@ Q_SIGNALS:
 
 private:
     void take_opened();
+    void take_picture();
     void keep_picture();
 
     AppModel& app_;
     bool remembers_;
     std::vector<One> shows_;
-    QString open_;             // path
-    bool has_picture_ = false; // of the open one
+    QString open_;                                 // path
+    std::shared_ptr<const image::Image8> picture_; // of the open one; null: it was dark
 };
 
 } // namespace ghost::ui

@@ -3,9 +3,9 @@
 
 #include "disk/files.h"
 #include "disk/user_file.h"
+#include "link/carried.h"
 #include "show_folder/load_show.h"
 #include "ui/language/language.h"
-#include "ui/model/private/carried.h"
 #include "ui/model/private/undo_ids.h"
 
 #include <QLocale>
@@ -21,37 +21,6 @@ constexpr int kDraftAfter_ms = 500;
 constexpr int kDraftAgain_ms = 5000; // where it could not be written
 constexpr int kLookAgain_ms = 1000;
 constexpr int kGoneAfter = 2; // looks, for editors take a file away for a moment
-
-// Of names that only the one and only the other has, those of one fixture: of the same object of a plot, or
-// of the same file at the same address and place, or, where no fixture came or went, of the same number.
-// Where several may be it, nobody knows.
-ShowDocument::FixtureNames names_back(const scene::Show& from, const scene::Show& to) {
-    std::set<std::string> of_from, of_to;
-    for (const scene::PatchedFixture& fixture : from.fixtures) of_from.insert(fixture.name);
-    for (const scene::PatchedFixture& fixture : to.fixtures) of_to.insert(fixture.name);
-    const auto is_same = [](const scene::PatchedFixture& a, const scene::PatchedFixture& b) {
-        return a.uuid == b.uuid && a.gdtf == b.gdtf && a.universe == b.universe && a.address == b.address &&
-               a.position_m == b.position_m;
-    };
-    ShowDocument::FixtureNames names;
-    for (std::size_t i = 0; i < to.fixtures.size(); ++i) {
-        const scene::PatchedFixture& was = to.fixtures[i];
-        if (of_from.contains(was.name)) continue;
-        const bool is_numbered = from.fixtures.size() == to.fixtures.size();
-        if (is_numbered && !of_to.contains(from.fixtures[i].name) && from.fixtures[i].uuid == was.uuid &&
-            from.fixtures[i].gdtf == was.gdtf) {
-            names[from.fixtures[i].name] = was.name;
-            continue;
-        }
-        const auto maybe = [&](const scene::PatchedFixture& now) {
-            return !of_to.contains(now.name) && is_same(now, was);
-        };
-        const auto found = std::find_if(from.fixtures.begin(), from.fixtures.end(), maybe);
-        if (found != from.fixtures.end() && std::count_if(found, from.fixtures.end(), maybe) == 1)
-            names[found->name] = was.name;
-    }
-    return names;
-}
 
 } // namespace
 
@@ -128,6 +97,7 @@ void ShowDocument::read_opened() {
     hold_.reset();
     file_ = app_.show()->file;
     drafts_ = Drafts(*app_.show());
+    known_.clear();
     text_.clear();
     copied_.clear();
     draft_.reset();
@@ -235,12 +205,10 @@ Result<void> ShowDocument::check_ours() const {
 Result<ShowDocument::Outside> ShowDocument::from_outside(std::string text) const {
     const scene::Show& before = *app_.show();
     TRY(const scene::Show now, scene::preview_edit(before, text));
-    FixtureNames renamed = names_back(before, now);
-    Look look = carried(app_.look(), before, now, renamed);
-    std::set<std::size_t> selection;
-    for (const std::size_t index : app_.selection())
-        if (const auto place = fixture_of(index, before, now, renamed)) selection.insert(*place);
-    return Outside{{std::move(text), std::move(look), std::move(selection)}, std::move(renamed)};
+    return Outside{
+        {std::move(text), carried(app_.look(), before, now), carried(app_.selection(), before, now)},
+        scene::renamed_fixtures(before, now),
+        lost_of(app_.look(), before, now)};
 }
 
 Result<void> ShowDocument::edit(const QString& what, Edit edit, int kind) {
@@ -258,7 +226,7 @@ Result<bool> ShowDocument::prepare(const Edit& edit) {
                          std::to_string(scene::kMaxShowBytes) +
                          " are read again: nothing is changed; a palette of fewer fixtures needs less",
                      file_.string()};
-    TRY(scene::Show preview, scene::preview_edit(*app_.show(), edit.text));
+    TRY(scene::Show preview, scene::preview_edit(*app_.show(), edit.text, known_));
     prepared_ = {edit.text, std::move(preview)};
     return true;
 }
@@ -279,10 +247,14 @@ Result<void> ShowDocument::edit_names(const QString& what, Edit edit, const Fixt
     return {};
 }
 
+void ShowDocument::know(const std::filesystem::path& file, std::shared_ptr<const fixture::Type> type) {
+    known_[file.lexically_normal()] = std::move(type);
+}
+
 void ShowDocument::put(const Edit& edit) {
     text_ = edit.text;
     auto preview = prepared_ && prepared_->text == text_ ? Result<scene::Show>(std::move(prepared_->show))
-                                                         : scene::preview_edit(*app_.show(), text_);
+                                                         : scene::preview_edit(*app_.show(), text_, known_);
     prepared_.reset();
     if (preview.ok())
         app_.put_edit(std::make_shared<const std::string>(text_), std::move(*preview), edit.look,
@@ -341,6 +313,7 @@ void ShowDocument::look_at_file() {
         if (!outside_edit.ok()) return;
         saved_ = *now;
         put(outside_edit->edit);
+        app_.tell_lost(outside_edit->lost);
         return;
     }
     changed_outside_ = outside;
@@ -445,8 +418,10 @@ Result<void> ShowDocument::reload() {
     if (!done.ok()) {
         saved_ = std::move(before); // what cannot be taken must not be written over unasked
         changed_outside_ = was_outside;
+        return done;
     }
-    return done;
+    app_.tell_lost(outside.lost);
+    return {};
 }
 
 void ShowDocument::read_again() {
@@ -457,7 +432,9 @@ Result<void> ShowDocument::take_draft() {
     if (!draft_) return Error{"there are no changes of an earlier time", ""};
     TRY(Outside outside, from_outside(*draft_)); // looks have its names already
     draft_.reset();
-    return edit(translated("Undo", "Take changes"), std::move(outside.edit));
+    TRY_VOID(edit(translated("Undo", "Take changes"), std::move(outside.edit)));
+    app_.tell_lost(outside.lost);
+    return {};
 }
 
 Result<void> ShowDocument::take_over() {
@@ -473,7 +450,7 @@ Result<void> ShowDocument::drop_draft() {
     if (!draft_) return Error{"there are no changes of an earlier time", ""};
     // Looks were renamed with the fixtures of the draft, and written.
     const auto dropped = scene::preview_edit(*app_.show(), *draft_);
-    const FixtureNames back = dropped.ok() ? names_back(*dropped, *app_.show()) : FixtureNames{};
+    const FixtureNames back = dropped.ok() ? scene::renamed_fixtures(*dropped, *app_.show()) : FixtureNames{};
     draft_.reset();
     drafts_.remove();
     if (!back.empty()) Q_EMIT fixtures_renamed(back);

@@ -5,8 +5,10 @@
 // (ui/model/drafts.h) half a second later, so that neither a crash nor a window that is closed loses more;
 // the next time it is offered. Errors go to who asked. Window thread.
 
+#include "show/same_fixtures.h"
 #include "show/show.h"
 #include "show_folder/hold.h"
+#include "show_folder/load_show.h"
 #include "ui/model/app_model.h"
 #include "ui/model/drafts.h"
 
@@ -15,7 +17,6 @@
 #include <QTimer>
 
 #include <filesystem>
-#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -30,7 +31,7 @@ public:
 
     const std::string& text() const { return text_; }
     bool is_changed() const { return text_ != saved_; }
-    using FixtureNames = std::map<std::string, std::string>; // from the old name to the new one
+    using FixtureNames = scene::FixtureNames;
     // Changes of an earlier window, or of one that crashed, that wait for take_draft or drop_draft; nothing
     // is edited before.
     bool has_draft() const { return draft_.has_value(); }
@@ -61,6 +62,9 @@ public:
     Result<void> edit(const QString& what, Edit edit, int kind = 0);
     // Likewise, one step together with what fixtures_renamed brings about.
     Result<void> edit_names(const QString& what, Edit edit, const FixtureNames& renamed);
+
+    // A fixture file that was read for an edit, which is not read again to show it.
+    void know(const std::filesystem::path& file, std::shared_ptr<const fixture::Type> type);
 
     // Whole or not at all. Error: cannot be written, or the file was changed outside meanwhile and over is
     // false.
@@ -100,6 +104,7 @@ private:
     struct Outside {
         Edit edit;
         FixtureNames renamed;
+        std::vector<std::string> lost; // of what hands hold
     };
 
     // The next step's text, with the show that it is.
@@ -134,6 +139,7 @@ private:
     std::string copied_; // as it was saved as a copy
     std::optional<std::string> draft_;
     std::optional<Prepared> prepared_;
+    scene::KnownTypes known_;
     bool is_kept_ = true;
     bool save_failed_ = false;
     bool changed_outside_ = false;

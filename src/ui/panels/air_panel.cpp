@@ -214,7 +214,7 @@ void AirPanel::show_haze() {
     const double is_per_m = static_cast<double>(app_.show()->haze.extinction_per_m);
     int found = -1;
     haze_->clear();
-    for (const scene::HazePreset& preset : scene::haze_presets()) {
+    for (const scene::HazePreset& preset : scene::kHazePresets) {
         const QString name =
             QString::fromUtf8(preset.name.data(), static_cast<qsizetype>(preset.name.size()));
         const double per_m = preset.extinction_per_m();

@@ -216,13 +216,16 @@ void ValuePanel::resizeEvent(QResizeEvent*) {
 
 void ValuePanel::refresh() {
     const auto current = app_.current();
-    if (!app_.show() || !current) {
-        shown_.reset();
-        title_->setText(translated("Values", "No fixture is selected"));
-        verdict_->setText(translated("Values", "Click a lamp in the picture or a row of the list."));
+    const auto say_alone = [this](const QString& words) {
+        verdict_->setText(words);
+        verdict_->setStyleSheet(QString());
         model_->show({}, {});
         words_->clear();
         shown_words_.clear();
+    };
+    if (!app_.show() || !current) {
+        title_->setText(translated("Values", "No fixture is selected"));
+        say_alone(translated("Values", "Click a lamp in the picture or a row of the list."));
         return;
     }
     QString title = QString::fromStdString(app_.show()->fixtures[*current].name);
@@ -231,10 +234,9 @@ void ValuePanel::refresh() {
     title_->setText(title);
     const Explained& explained = app_.explained();
     if (explained.fixture != *current || explained.words.empty()) { // it comes
-        if (shown_ != current) verdict_->setText(translated("Values", "It is being looked at ..."));
+        say_alone(translated("Values", "It is being looked at ..."));
         return;
     }
-    shown_ = current;
     verdict_->setText(said(explained.explanation.verdict));
     verdict_->setStyleSheet(
         QString("color: %1")

@@ -49,7 +49,6 @@ private:
     ChannelModel* model_;
     QTableView* table_;
     QTextBrowser* words_;
-    std::optional<std::size_t> shown_; // the fixture that the words are about
     std::string shown_words_;
 };
 

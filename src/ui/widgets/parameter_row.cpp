@@ -6,6 +6,7 @@
 #include "ui/widgets/theme.h"
 #include "ui/widgets/value_row.h"
 
+#include <QFontMetrics>
 #include <QMenu>
 #include <QStyle>
 
@@ -16,6 +17,18 @@ namespace {
 
 constexpr int kParameterSteps = 1020; // of the slider: four to a value of eight bits
 
+// In two where it is too long for one and has a blank to break at; what is too long even so ends in dots.
+QString in_lines(const QString& words, const QFontMetrics& metrics, int width_px) {
+    qsizetype end = words.size();
+    while (end > 0 && metrics.horizontalAdvance(words.left(end)) > width_px)
+        end = words.lastIndexOf(' ', end - 1);
+    const auto fitted = [&](const QString& line) {
+        return metrics.elidedText(line, Qt::ElideRight, width_px);
+    };
+    if (end <= 0 || end == words.size()) return fitted(words);
+    return words.left(end) + "\n" + fitted(words.mid(end + 1));
+}
+
 } // namespace
 
 ParameterRow::ParameterRow(const HeadParameter& parameter, SlotPictures& pictures, QWidget* parent)
@@ -23,7 +36,7 @@ ParameterRow::ParameterRow(const HeadParameter& parameter, SlotPictures& picture
       meaning_(new QToolButton(this)), release_(new QToolButton(this)),
       lines_(*this, *label_, *slider_, *meaning_, *release_) {
     label_->setFixedWidth(ValueRow::label_width(*this));
-    label_->setText(label_->fontMetrics().elidedText(parameter.name, Qt::ElideRight, label_->width()));
+    label_->setText(in_lines(parameter.name, label_->fontMetrics(), label_->width()));
     label_->setToolTip(parameter.name + " (" + QString::fromStdString(parameter.attribute) + ")");
     slider_->setRange(0, kParameterSteps);
     slider_->setMinimumWidth(ValueRow::kLeastSlider_px);

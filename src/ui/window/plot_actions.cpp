@@ -26,15 +26,11 @@ public:
         : QObject(&app), actions_(actions), app_(app), document_(document) {
         connect(&app_, &AppModel::opened_show, this, [this] {
             if (!waiting_ || app_.opened().is_edit) return;
-            const Waiting waiting = *std::exchange(waiting_, std::nullopt);
-            std::error_code code;
-            if (!std::filesystem::equivalent(app_.show()->folder, waiting.folder, code)) {
-                actions_.complain({"another show was opened: no fixture file is substituted",
-                                   app_.show()->folder.string()});
-                return;
-            }
-            if (const auto done = substitute(app_, document_, waiting.all); !done.ok())
-                actions_.complain(done.error());
+            // Once all have heard of the show: files may be copied meanwhile.
+            QMetaObject::invokeMethod(
+                this,
+                [this, waiting = *std::exchange(waiting_, std::nullopt)] { substitute_in_show(waiting); },
+                Qt::QueuedConnection);
         });
         connect(&app_, &AppModel::not_opened, this, [this] {
             if (!waiting_ || is_importing()) return; // another show was asked for meanwhile
@@ -76,6 +72,17 @@ private:
         std::vector<Substitute> all;
     };
 
+    void substitute_in_show(const Waiting& waiting) {
+        std::error_code code;
+        if (!std::filesystem::equivalent(app_.show()->folder, waiting.folder, code)) {
+            actions_.complain(
+                {"another show was opened: no fixture file is substituted", app_.show()->folder.string()});
+            return;
+        }
+        if (const auto done = substitute(app_, document_, waiting.all); !done.ok())
+            actions_.complain(done.error());
+    }
+
     bool is_importing() const {
         const std::deque<Job>& jobs = app_.jobs().all();
         return waiting_ && std::any_of(jobs.begin(), jobs.end(), [&](const Job& job) {
@@ -115,10 +122,14 @@ Result<std::set<std::size_t>> fixtures_of(const scene::PlotPage& page, const std
 
 Result<void> substitute(AppModel& app, ShowDocument& document, const std::vector<Substitute>& all) {
     TRY_VOID(document.check_editable());
-    std::string text = document.text();
+    std::vector<std::string> inside;
     for (const Substitute& one : all) {
-        TRY(const std::string inside, PatchEdit(app, document).fixture_beside_show(one.file));
-        TRY(text, scene::set_substitute(text, one.wanted, inside, one.mode));
+        TRY(std::string file, PatchEdit(app, document).fixture_beside_show(one.file));
+        inside.push_back(std::move(file));
+    }
+    std::string text = document.text(); // as it is when they are there
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        TRY(text, scene::set_substitute(text, all[i].wanted, inside[i], all[i].mode));
     }
     const QString what =
         all.size() == 1

@@ -526,8 +526,12 @@ void Window::dropEvent(QDropEvent* event) {
     const QPoint at = view_->mapFrom(this, event->position().toPoint());
     std::optional<glm::vec3> floor_m;
     if (app_.show() && view_->rect().contains(at)) floor_m = view_->floor_at(at);
-    for (const QUrl& url : event->mimeData()->urls())
-        if (url.isLocalFile()) take_file(url.toLocalFile(), floor_m);
+    // Later: who drags waits for this, and a file may take a while.
+    const auto take = [this, urls = event->mimeData()->urls(), floor_m] {
+        for (const QUrl& url : urls)
+            if (url.isLocalFile()) take_file(url.toLocalFile(), floor_m);
+    };
+    QMetaObject::invokeMethod(this, take, Qt::QueuedConnection);
 }
 
 // Of an open show a fixture, a model or a plot becomes a part; all else is opened.

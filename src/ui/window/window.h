@@ -86,6 +86,7 @@ private:
     void set_full_screen(bool full);
     void give_sizes_back(); // to panels, after full screen
     void show_shortcuts();
+    bool has_work_light() const;
     Result<void> save_picture(const QString& file);
     Result<void> save_state(const QStringList& arguments);
 

@@ -6,6 +6,7 @@
 #include "disk/files.h"
 #include "image/ldr.h"
 #include "show/show.h"
+#include "ui/model/aside.h"
 #include "ui/panels/fixture_panel.h"
 #include "ui/window/private/notice_bar.h"
 #include "ui/window/private/panel_rail.h"
@@ -234,7 +235,7 @@ void Window::add_view_switches() {
                   translated("Action", "Work light: see the stage where nothing shines"), "K",
                   "[on|off|auto]",
                   [this](const QStringList& words) -> Result<void> {
-                      const QString word = words.value(0, app_.picture().has_work_light ? "off" : "on");
+                      const QString word = words.value(0, has_work_light() ? "off" : "on");
                       if (word != "on" && word != "off" && word != "auto")
                           return Error{"'" + word.toStdString() + "' is none of on, off and auto", ""};
                       const WorkLight wanted = word == "on"    ? WorkLight::on
@@ -243,7 +244,7 @@ void Window::add_view_switches() {
                       app_.change_request([&](ViewRequest& request) { request.work_light = wanted; });
                       return {};
                   },
-                  [this] { return app_.picture().has_work_light; }});
+                  [this] { return has_work_light(); }});
     actions_.add({"master",
                   "",
                   "master",
@@ -340,6 +341,12 @@ void Window::resizeEvent(QResizeEvent* event) {
         this, [this] { give_sizes_back(); }, Qt::QueuedConnection);
 }
 
+// What is measured has none, and none is seen of it then.
+bool Window::has_work_light() const {
+    return app_.request().false_colour.measure == Measure::none ? app_.picture().has_work_light
+                                                                : app_.request().work_light == WorkLight::on;
+}
+
 void Window::show_shortcuts() {
     auto* sheet = new ShortcutSheet(actions_, this);
     sheet->setAttribute(Qt::WA_DeleteOnClose);
@@ -356,7 +363,8 @@ Result<void> Window::save_picture(const QString& file) {
         });
         return {};
     }
-    return image::write_png(file.toStdString(), *app_.picture().image);
+    return aside(
+        [image = app_.picture().image, to = file.toStdString()] { return image::write_png(to, *image); });
 }
 
 Result<void> Window::save_state(const QStringList& arguments) {

@@ -50,16 +50,25 @@ TEST(EditRead, hands_light_the_same_heads_until_the_show_is_read) {
     shown->fixtures[1].name = "Copy";
     request.counted = shown;
     light(count + 1, 2);
+    request.explained = 2; // that was the second one
     request.number = 3;
     link.request.put(request);
     int seen = 0, wrong = 0;
+    std::vector<ui::Explained> explained;
     ASSERT_TRUE(comes_within(60, [&] {
         if (const auto rig = link.rig.take(); rig && rig->fixtures.size() == count) {
             ++seen;
             wrong += are_right(*rig) ? 0 : 1;
         }
-        return (opened = link.opened.take()).has_value();
+        opened = link.opened.take();
+        if (auto news = link.explained.take(); news && !opened) explained.push_back(std::move(*news));
+        return opened.has_value();
     }));
+    ASSERT_FALSE(explained.empty());
+    for (const ui::Explained& one : explained) {
+        EXPECT_EQ(one.fixture, 1u) << "as it is counted in what is drawn";
+        EXPECT_EQ(one.explanation.fixture, before->fixtures[1].name);
+    }
     ASSERT_EQ(opened->show->fixtures.size(), count + 1);
     EXPECT_GT(seen, 3);
     EXPECT_EQ(wrong, 0) << "of " << seen;
@@ -72,8 +81,14 @@ TEST(EditRead, hands_light_the_same_heads_until_the_show_is_read) {
 
 scene::Show show_of(const std::vector<const char*>& names) {
     scene::Show show;
-    for (const char* const name : names) show.fixtures.emplace_back().name = name;
-    for (const char* const name : {"Lift", "Truss"}) show.movers.emplace_back().name = name;
+    for (const char* const name : names) {
+        show.fixtures.emplace_back().name = name;
+        show.fixtures.back().address = name[0];
+    }
+    for (const char* const name : {"Lift", "Truss"}) {
+        show.movers.emplace_back().name = name;
+        show.movers.back().axes.resize(1);
+    }
     return show;
 }
 

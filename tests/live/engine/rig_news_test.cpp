@@ -91,6 +91,22 @@ TEST(RigNews, heads_that_are_left_dark_are_dark_in_lists_and_verdicts) {
     EXPECT_EQ(dark.unasked(), session->rig->left_dark());
     EXPECT_FALSE(shining.rig.fixtures.front().is_dark_without_hands);
     EXPECT_TRUE(dark.rig.fixtures.front().is_dark_without_hands);
+    // Who selects another head waits for no turn.
+    std::optional<std::size_t> last;
+    for (const std::size_t fixture : {0u, 1u, 1u}) {
+        now_s += 0.01;
+        news.explain(
+            {.fixture = fixture, .hovered = {}, .all = false}, *session, input, {},
+            [&]() -> const bake::Tracer& { return rays; }, now_s);
+        const auto explained = link.explained.take();
+        if (fixture == last) {
+            EXPECT_FALSE(explained) << "a quarter of a second has not gone by";
+        } else {
+            ASSERT_TRUE(explained);
+            EXPECT_EQ(explained->fixture, fixture);
+        }
+        last = fixture;
+    }
 }
 
 // What aims a head by hand needs to know which way a mover has turned it.

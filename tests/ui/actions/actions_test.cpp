@@ -473,6 +473,7 @@ TEST(Actions, what_is_dropped_becomes_a_part_of_the_show_or_is_opened) {
         QCoreApplication::sendEvent(opened.window.get(), &enters);
         QDropEvent event(QPointF(5, 5), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
         QCoreApplication::sendEvent(opened.window.get(), &event);
+        settle();
     };
     const std::string before = opened.request().show;
     // Neither can be read; neither is taken for a show.

@@ -104,8 +104,11 @@ TEST(AppModel, a_show_that_is_made_of_the_plot_that_is_open_keeps_what_hands_hol
     look.scene.smoke = 2.0f;
     bench.app.set_look(look, "by hand");
     bench.app.select({0, 2, 3});
+    QString said;
+    QObject::connect(&bench.app, &AppModel::failed, [&](const QString& words) { said = words; });
     bench.app.open_made_of_plot("tour");
     put(four_lamps(), true, false);
+    EXPECT_EQ(said, "Not in the show any more, with what hands held of it: 'Lamp 3'");
     const Look& now = bench.app.look();
     ASSERT_EQ(now.fixtures.size(), 3u) << "all but the one that is gone";
     EXPECT_EQ(now.fixtures.at(0).intensity, 1.0f);

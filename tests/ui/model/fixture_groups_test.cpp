@@ -62,6 +62,11 @@ TEST(FixtureGroups, dark_ones_are_listed_by_reasons_the_most_frequent_first) {
     Q_EMIT group->activated(group->currentIndex());
     EXPECT_EQ(table->rowCount(), 1);
     EXPECT_EQ(table->index(0, 0).data().toString(), "Lamp 3");
+    desk.app.select({0});
+    ASSERT_TRUE(desk.edit.remove().ok());
+    ASSERT_EQ(table->rowCount(), 1) << "while the edit is read";
+    EXPECT_EQ(table->index(0, 0).data().toString(), "Lamp 3");
+    desk.app.undo_stack().undo();
     dark->click();
     EXPECT_FALSE(desk.app.request().explains_all);
     EXPECT_EQ(table->rowCount(), 3);

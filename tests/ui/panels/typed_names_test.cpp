@@ -8,6 +8,7 @@
 #include <QKeyEvent>
 #include <QLineEdit>
 #include <QPointer>
+#include <QPushButton>
 
 namespace ghost::ui {
 namespace {
@@ -73,6 +74,25 @@ TEST(CuePanel, a_note_that_is_typed_stays_when_a_cue_comes_by) {
     EXPECT_EQ(table.currentColumn(), kNotes) << "F2 goes on there";
     EXPECT_EQ(table.item(1, 1)->foreground().color(), table.item(1, kNotes)->foreground().color());
     EXPECT_NE(table.item(0, 1)->foreground(), table.item(1, 1)->foreground()) << "the called one is marked";
+}
+
+TEST(CuePanel, what_is_added_after_an_undone_recall_is_no_cue_of_that_look) {
+    TypingDesk desk;
+    const auto add = [&] {
+        for (QPushButton* const button : desk.cue_panel.findChildren<QPushButton*>())
+            if (button->text() == "Add") button->click();
+        desk.follow();
+        return desk.cues.all().back().look;
+    };
+    ASSERT_TRUE(desk.looks.recall("Blue", 4).ok());
+    EXPECT_EQ(add(), "Blue");
+    desk.app.undo_stack().undo(); // the cue
+    desk.app.undo_stack().undo(); // the recall
+    ASSERT_TRUE(desk.app.look().is_empty());
+    EXPECT_EQ(add(), "") << "neither that one nor one without values";
+    EXPECT_EQ(desk.cues.all().size(), 3u);
+    ASSERT_TRUE(desk.looks.recall("Red", 0).ok());
+    EXPECT_EQ(add(), "Red") << "it was asked for";
 }
 
 TEST(LookPanel, a_name_that_is_typed_stays_when_a_look_is_recalled) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The table of channels: what stands in its cells.
-#include "support/test_window.h"
+// The table of channels: what stands in its cells, and of which head.
+#include "support/test_desk.h"
 #include "ui/panels/value_panel.h"
 
 namespace ghost::ui {
@@ -20,6 +20,61 @@ TEST(ValuePanel, a_narrow_one_shows_what_a_channel_means_before_its_address) {
         EXPECT_GE(table->viewport()->width() - table->columnViewportPosition(ChannelModel::meaning),
                   12 * letter_px);
     }
+}
+
+// The engine's words about a head of the show that it draws: its name is its only channel.
+void explain(Desk& desk, const scene::Show& drawn, std::size_t fixture) {
+    Explained news;
+    news.fixture = fixture;
+    news.explanation.fixture = drawn.fixtures[fixture].name;
+    news.explanation.verdict = "about " + news.explanation.fixture;
+    news.explanation.channels.emplace_back().attribute = news.explanation.fixture;
+    news.words = news.explanation.verdict;
+    desk.link.explained.put(std::move(news));
+    desk.link.on_news();
+    settle();
+}
+
+TEST(ValuePanel, says_nothing_of_a_neighbour_while_an_edit_is_read) {
+    Desk desk;
+    ValuePanel panel(desk.app, nullptr);
+    desk.open();
+    const std::shared_ptr<const scene::Show> drawn = desk.app.show();
+    const auto* const table = panel.findChild<QTableView*>()->model();
+    const auto about = [&] { return table->index(0, ChannelModel::attribute).data().toString(); };
+    const auto title = [&] { return panel.findChildren<QLabel*>().at(0)->text(); };
+    desk.app.select({1});
+    explain(desk, *drawn, 1);
+    ASSERT_EQ(title(), "Lamp 2");
+    ASSERT_EQ(about(), "Lamp 2");
+    desk.app.select({2});
+    EXPECT_EQ(title(), "Lamp 3");
+    EXPECT_EQ(table->rowCount(), 0) << "nothing is known of it yet";
+    explain(desk, *drawn, 2);
+    EXPECT_EQ(about(), "Lamp 3");
+
+    desk.app.select({0});
+    ASSERT_TRUE(desk.edit.remove().ok());
+    desk.app.select({0});
+    ASSERT_EQ(desk.app.show()->fixtures.size(), 2u);
+    EXPECT_EQ(title(), "Lamp 2");
+    EXPECT_EQ(table->rowCount(), 0);
+    explain(desk, *drawn, 0);
+    EXPECT_EQ(table->rowCount(), 0) << "that was said of the lamp that is gone";
+    explain(desk, *drawn, 1); // the engine knows whom the request means
+    EXPECT_EQ(about(), "Lamp 2");
+    desk.app.undo_stack().undo();
+    desk.app.select({1});
+    EXPECT_EQ(title(), "Lamp 2");
+    EXPECT_EQ(about(), "Lamp 2") << "its number is another one, it is the same";
+    desk.app.select({0});
+    EXPECT_EQ(table->rowCount(), 0);
+    desk.app.undo_stack().redo();
+    desk.follow();
+    desk.app.select({1});
+    explain(desk, *drawn, 1); // late, of the show before
+    EXPECT_EQ(title(), "Lamp 3");
+    EXPECT_EQ(table->rowCount(), 0);
 }
 
 } // namespace

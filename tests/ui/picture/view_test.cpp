@@ -83,6 +83,7 @@ TEST(View, the_sentence_about_a_head_is_asked_for_where_the_mouse_rests_and_seen
     const QImage before = watched.view.grab().toImage();
     Explained other;
     other.fixture = 2; // late, of another one
+    other.explanation.fixture = app.show()->fixtures[2].name;
     other.explanation.verdict = "dark";
     watched.bench.link.hovered.put(other);
     watched.bench.link.on_news();
@@ -90,6 +91,7 @@ TEST(View, the_sentence_about_a_head_is_asked_for_where_the_mouse_rests_and_seen
     EXPECT_FALSE(app.hovered());
     Explained explained;
     explained.fixture = 1;
+    explained.explanation.fixture = app.show()->fixtures[1].name;
     explained.explanation.verdict =
         "dark: its shutter is closed, for the function 'Closed' (DMX 3-5) is active on channel 11 (1.055)";
     watched.bench.link.hovered.put(explained);

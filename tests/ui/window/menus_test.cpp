@@ -24,6 +24,7 @@
 #include <QTextBrowser>
 #include <QToolButton>
 
+#include <algorithm>
 #include <filesystem>
 #include <map>
 
@@ -431,16 +432,22 @@ TEST(FirstScreen, shows_of_the_last_time_are_there_the_next_time_with_their_pict
         tour.show = show;
         in.open(std::move(tour));
         Picture picture;
-        picture.image = std::make_shared<image::Image8>(64, 36, 4);
-        in.link.picture.put(std::move(picture));
-        in.link.on_news();
-        settle();
+        const auto lit = std::make_shared<image::Image8>(64, 36, 4);
+        std::fill(lit->samples.begin(), lit->samples.end(), std::uint8_t{200});
+        for (const auto& image : {lit, std::make_shared<image::Image8>(64, 36, 4)}) {
+            picture.image = image; // left in a black-out
+            in.link.picture.put(picture);
+            in.link.on_news();
+            settle();
+        }
     }
     InWindow in({.width = 900, .height = 600});
     auto* const list = in.window.findChild<QWidget*>("welcome")->findChild<QListWidget*>();
     ASSERT_EQ(list->count(), 1);
     EXPECT_EQ(list->item(0)->text(), "Tour");
-    EXPECT_TRUE(QFile::exists(RecentShows(in.window.app(), true).all().front().picture));
+    const QImage kept(RecentShows(in.window.app(), true).all().front().picture);
+    ASSERT_FALSE(kept.isNull());
+    EXPECT_EQ(qRed(kept.pixel(kept.width() / 2, kept.height() / 2)), 200) << "as it was lit last";
     Q_EMIT list->itemActivated(list->item(0));
     EXPECT_EQ(in.window.app().request().show, file.toStdString());
     EXPECT_EQ(InWindow().window.findChild<QWidget*>("welcome")->findChild<QListWidget*>()->count(), 0)

@@ -95,9 +95,9 @@ TEST(Movers, what_is_hung_copied_or_dropped_under_a_truss_that_flies_goes_with_i
     ASSERT_TRUE(desk.edit.duplicate({1, 0, 0}).ok());
     EXPECT_EQ(carried(), (Carried{"Lamp 3", "Lamp 2", "Lamp 5"}));
     const fs::path file = fs::path(GHOST_SOURCE_DIR) / "assets/fixtures/Vari-Lite@VL2500_Spot.gdtf";
-    ASSERT_TRUE(desk.edit.add(file, {-4, 0, 4.2f}).ok());
+    ASSERT_TRUE(desk.edit.add(file, at(-4, 0, 4.2f)).ok());
     EXPECT_EQ(carried().size(), 4u);
-    ASSERT_TRUE(desk.edit.add(file, {-4, 4, 4.2f}).ok());
+    ASSERT_TRUE(desk.edit.add(file, at(-4, 4, 4.2f)).ok());
     EXPECT_EQ(carried().size(), 4u) << "one in the air";
     for (int step = 0; step < 6; ++step) desk.app.undo_stack().undo();
     EXPECT_EQ(desk.document.text(), flies);

@@ -58,6 +58,18 @@ TEST(Outside, hands_stay_on_their_heads_where_an_editor_puts_one_before_them) {
     EXPECT_EQ(desk.app.selection(), std::set<std::size_t>{2});
 }
 
+TEST(Outside, what_hands_held_of_a_head_that_is_gone_is_said) {
+    Desk desk;
+    desk.open();
+    hold_last(desk);
+    QString said;
+    QObject::connect(&desk.app, &AppModel::failed, [&](const QString& words) { said = words; });
+    ASSERT_TRUE(write_file_atomic(desk.file, kShow.substr(0, kShow.rfind("[[fixture]]"))).ok());
+    ASSERT_TRUE(desk.document.reload().ok());
+    EXPECT_TRUE(desk.app.look().fixtures.empty());
+    EXPECT_EQ(said, "Not in the show any more, with what hands held of it: 'Lamp 3'");
+}
+
 TEST(Outside, hands_of_a_window_that_reads_stay_on_their_heads) {
     QTemporaryDir place;
     Desk first(place.path().toStdString()), second(place.path().toStdString());

@@ -78,7 +78,7 @@ TEST(Patch, what_cannot_be_done_is_said_and_not_done) {
     EXPECT_FALSE(desk.edit.set_mode("Stndard").ok());
     EXPECT_FALSE(desk.edit.rename("Lamp 2").ok());
     EXPECT_FALSE(desk.edit.rename("a/b").ok());
-    EXPECT_FALSE(desk.edit.add("nothing.gdtf", {}).ok());
+    EXPECT_FALSE(desk.edit.add("nothing.gdtf", at(0, 0, 0)).ok());
     EXPECT_FALSE(address_of("0.1").ok());
     EXPECT_FALSE(address_of("1.513").ok());
     EXPECT_FALSE(address_of("1.2.3").ok());
@@ -91,7 +91,7 @@ TEST(Patch, a_new_one_gets_an_address_in_a_universe_that_nobody_sends) {
     Desk desk;
     desk.open();
     const fs::path file = fs::path(GHOST_SOURCE_DIR) / "assets/fixtures/Vari-Lite@VL2500_Spot.gdtf";
-    ASSERT_TRUE(desk.edit.add(file, {1, 2, 5}).ok());
+    ASSERT_TRUE(desk.edit.add(file, at(1, 2, 5)).ok());
     desk.follow();
     EXPECT_EQ(std::pair(desk.fixture(3).universe, desk.fixture(3).address), std::pair(1, 49))
         << "none is sent";
@@ -103,7 +103,7 @@ TEST(Patch, a_new_one_gets_an_address_in_a_universe_that_nobody_sends) {
     desk.link.rig.put(std::move(rig));
     desk.link.on_news();
     settle();
-    ASSERT_TRUE(desk.edit.add(file, {1, 2, 5}).ok());
+    ASSERT_TRUE(desk.edit.add(file, at(1, 2, 5)).ok());
     desk.follow();
     EXPECT_EQ(std::pair(desk.fixture(3).universe, desk.fixture(3).address), std::pair(3, 1));
     EXPECT_EQ(desk.fixture(3).position_m, glm::vec3(1, 2, 5));
@@ -131,6 +131,65 @@ TEST(Patch, a_model_becomes_the_stage_and_a_plot_the_plot) {
     ASSERT_TRUE(write_file_atomic(model, std::string("another model")).ok());
     EXPECT_FALSE(desk.edit.set_stage(model).ok());
     EXPECT_EQ(*read_text_file(fs::path(desk.folder) / "club.glb", 100), "a model");
+}
+
+// Done by the window as soon as it does anything.
+template <class F>
+void meanwhile(Desk& desk, F f) {
+    QMetaObject::invokeMethod(&desk.app, std::move(f), Qt::QueuedConnection);
+}
+
+TEST(Patch, the_window_goes_on_while_a_file_is_read_and_copied) {
+    Desk desk;
+    desk.open();
+    QTemporaryDir elsewhere;
+    const fs::path model = fs::path(elsewhere.path().toStdString()) / "club.glb";
+    ASSERT_TRUE(write_file_atomic(model, std::string("a model")).ok());
+    bool goes_on = false;
+    meanwhile(desk, [&] { goes_on = true; });
+    ASSERT_TRUE(desk.edit.add_model(model, {0, 0, 0}).ok());
+    EXPECT_TRUE(goes_on);
+    const fs::path lamp = fs::path(GHOST_SOURCE_DIR) / "assets/fixtures/Ghostlight@LED_Par.gdtf";
+    // What is done meanwhile stays.
+    meanwhile(desk, [&] {
+        desk.app.select({0});
+        EXPECT_TRUE(desk.edit.rename("Front").ok());
+    });
+    std::shared_ptr<const fixture::Type> made;
+    ASSERT_TRUE(desk.edit
+                    .add(lamp,
+                         [&](const scene::PatchedFixture& one) {
+                             made = one.type;
+                             return glm::vec3(0, 0, 5);
+                         })
+                    .ok());
+    EXPECT_EQ(desk.fixture(0).name, "Front");
+    EXPECT_EQ(desk.fixture(3).type, made) << "it is not read once more to be shown";
+    desk.app.undo_stack().undo();
+    desk.app.undo_stack().redo();
+    EXPECT_EQ(desk.fixture(3).type, made);
+}
+
+TEST(Patch, a_file_that_was_for_another_show_is_none_of_this_one) {
+    Desk desk;
+    desk.open();
+    const fs::path lamp = fs::path(GHOST_SOURCE_DIR) / "assets/fixtures/Ghostlight@LED_Par.gdtf";
+    const fs::path second = fs::path(desk.folder) / "second.toml";
+    ASSERT_TRUE(write_file_atomic(second, kShow).ok());
+    meanwhile(desk, [&] {
+        Opened opened = desk.app.opened();
+        auto show = std::make_shared<scene::Show>(*opened.show);
+        show->file = second;
+        opened.show = std::move(show);
+        desk.link.opened.put(std::move(opened));
+        desk.link.on_news();
+        settle();
+    });
+    const Result<void> done = desk.edit.add(lamp, at(0, 0, 5));
+    ASSERT_FALSE(done.ok());
+    EXPECT_NE(done.error().text().find("another show was opened meanwhile"), std::string::npos);
+    EXPECT_EQ(desk.app.show()->fixtures.size(), 3u);
+    EXPECT_EQ(desk.document.text(), kShow);
 }
 
 TEST(Patch, the_picture_as_it_is_seen_becomes_a_camera) {
