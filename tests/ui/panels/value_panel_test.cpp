@@ -50,6 +50,8 @@ TEST(ValuePanel, says_nothing_of_a_neighbour_while_an_edit_is_read) {
     desk.app.select({2});
     EXPECT_EQ(title(), "Lamp 3");
     EXPECT_EQ(table->rowCount(), 0) << "nothing is known of it yet";
+    explain(desk, *drawn, 2);
+    EXPECT_EQ(about(), "Lamp 3");
 
     desk.app.select({0});
     ASSERT_TRUE(desk.edit.remove().ok());
