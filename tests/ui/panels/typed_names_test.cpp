@@ -95,6 +95,29 @@ TEST(CuePanel, what_is_added_after_an_undone_recall_is_no_cue_of_that_look) {
     EXPECT_EQ(add(), "Red") << "it was asked for";
 }
 
+TEST(CuePanel, a_cue_stays_chosen_where_it_goes_and_one_that_is_added_is) {
+    TypingDesk desk;
+    const auto press = [&](const char* text) {
+        for (QPushButton* const button : desk.cue_panel.findChildren<QPushButton*>())
+            if (button->text() == text) button->click();
+        desk.follow();
+    };
+    QTableWidget& table = *desk.cue_panel.table();
+    ASSERT_TRUE(desk.looks.recall("Red", 0).ok());
+    press("Add");
+    ASSERT_EQ(desk.cues.all().size(), 3u);
+    EXPECT_EQ(table.currentRow(), 2);
+    const std::string added = desk.cues.all()[2].name;
+    press("Up");
+    EXPECT_EQ(table.currentRow(), 1);
+    press("Up");
+    EXPECT_EQ(table.currentRow(), 0);
+    EXPECT_EQ(desk.cues.all()[0].name, added) << "Up twice takes it to the top";
+    press("Down");
+    EXPECT_EQ(table.currentRow(), 1);
+    EXPECT_EQ(desk.cues.all()[1].name, added);
+}
+
 TEST(LookPanel, a_name_that_is_typed_stays_when_a_look_is_recalled) {
     TypingDesk desk;
     QListWidget& list = *desk.look_panel.list();
