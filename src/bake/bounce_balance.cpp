@@ -17,8 +17,8 @@ constexpr float kMostFactor = 4;
 // Light that goes the other way.
 std::uint32_t reversed(const scene::BounceLevel& level, std::uint32_t slot) {
     if (slot >= level.cells.size() * scene::kBounceBins) return slot;
-    const std::uint32_t bin = slot % scene::kBounceBins;
-    return slot - bin + static_cast<std::uint32_t>(scene::bounce_reversed(bin));
+    const std::size_t bin = slot % scene::kBounceBins;
+    return static_cast<std::uint32_t>(slot - bin + scene::bounce_reversed(bin));
 }
 
 std::size_t node_of(const scene::BounceLevel& level, std::uint32_t slot) {
