@@ -40,7 +40,7 @@ Result<scene::Stage> read_as_told(Bytes bytes, const std::string& extension, con
     const auto is = [&](const char* word) { return name.find(word) != std::string::npos; };
     if (is("crashes.glb")) std::abort();
     if (is("spins.glb"))
-        for (volatile int k = 0;;) k = k + 1;
+        for (volatile unsigned k = 0;;) k = k + 1;
     if (is("is-hungry.glb")) {
         std::vector<std::unique_ptr<char[]>> eaten; // without touching it
         try {
