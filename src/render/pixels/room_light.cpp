@@ -160,15 +160,11 @@ struct RoomRun {
     vec4 place, normals, diffuse, specular;
 };
 
-INLINE_VECTORS vec3 normal_of(real x, real y) {
-    return direction_from_octahedral(shared::lanes::vec2(x, y) * 0.5f + shared::lanes::vec2(0.5f));
-}
-
 INLINE_VECTORS vec3 reflected(const RoomPlanes& where, const RoomRun& run) {
     const truth stands = run.place.w > 0.0f;
     if (!any(stands)) return vec3(0.0f);
     const vec3 place_m(run.place.x, run.place.y, run.place.z);
-    const vec3 lux = lux_on_run(where, place_m, normal_of(run.normals.z, run.normals.w), bits_of(stands));
+    const vec3 lux = lux_on_run(where, place_m, unpack_normal(run.normals.z, run.normals.w), bits_of(stands));
     const real covers = min(run.place.w, 1.0f);
     if (where.room.as_lux != 0) return select(stands, lux * covers, vec3(0.0f));
     const vec3 way = place_m - vec3(where.view.eye_m);
@@ -179,7 +175,7 @@ INLINE_VECTORS vec3 reflected(const RoomPlanes& where, const RoomRun& run) {
     brdf.f0 = vec3(run.specular.x, run.specular.y, run.specular.z);
     brdf.f90 = run.specular.w;
     const vec3 albedo =
-        brdf_albedo(brdf, abs(dot(normal_of(run.normals.x, run.normals.y), way)) / max(away_m, 1e-6f));
+        brdf_albedo(brdf, abs(dot(unpack_normal(run.normals.x, run.normals.y), way)) / max(away_m, 1e-6f));
     const vec3 shown =
         albedo * lux * (haze_transmittance(where.view.haze, away_m) * covers * (1.0f / shared::kPi));
     return select(stands, shown, vec3(0.0f));

@@ -53,10 +53,6 @@ struct LitFragment {
     shared::lanes::Brdf brdf;
 };
 
-INLINE_VECTORS vec3 unpack_normal(real x, real y) {
-    return direction_from_octahedral(vec2(x, y) * 0.5f + vec2(0.5f));
-}
-
 INLINE_VECTORS LitFragment fragment_of(const LiveSurfaces& where, const vec4& place, const Run& run) {
     LitFragment f;
     const vec4 normals = load_run(where.normals, run), diffuse = load_run(where.diffuse, run),

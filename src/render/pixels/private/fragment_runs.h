@@ -80,6 +80,11 @@ INLINE_VECTORS shared::lanes::vec4 load_run(const Plane& plane, const Run& run) 
     return by_number(load_halves(at), load_halves(at + 16), load_halves(at + 32), load_halves(at + 48));
 }
 
+INLINE_VECTORS shared::lanes::vec3 unpack_normal(shared::lanes::real x, shared::lanes::real y) {
+    using shared::lanes::vec2;
+    return direction_from_octahedral(vec2(x, y) * 0.5f + vec2(0.5f));
+}
+
 INLINE_VECTORS void add_light(std::uint8_t* at, const shared::lanes::vec3& light) {
     const F8 zero = _mm256_setzero_ps();
     const F8 rg0 = _mm256_unpacklo_ps(light.x.v, light.y.v), rg2 = _mm256_unpackhi_ps(light.x.v, light.y.v);
