@@ -2665,6 +2665,54 @@
         <source>Closed</source>
         <translation>Geschlossen</translation>
     </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 bis %2</translation>
+    </message>
+    <message>
+        <source>Gobo wheel \1 spins</source>
+        <translation>Goborad \1 dreht</translation>
+    </message>
+    <message>
+        <source>Gobo wheel \1 turn</source>
+        <translation>Goborad \1 Stellung</translation>
+    </message>
+    <message>
+        <source>Gobo wheel \1 at random</source>
+        <translation>Goborad \1 zufällig</translation>
+    </message>
+    <message>
+        <source>Gobo \1, turning</source>
+        <translation>Gobo \1, drehend</translation>
+    </message>
+    <message>
+        <source>Gobo \1, shaking</source>
+        <translation>Gobo \1, wackelnd</translation>
+    </message>
+    <message>
+        <source>Colour wheel \1 spins</source>
+        <translation>Farbrad \1 dreht</translation>
+    </message>
+    <message>
+        <source>Colour wheel \1 turn</source>
+        <translation>Farbrad \1 Stellung</translation>
+    </message>
+    <message>
+        <source>Colour wheel \1 at random</source>
+        <translation>Farbrad \1 zufällig</translation>
+    </message>
+    <message>
+        <source>Animation wheel turn</source>
+        <translation>Effektrad Stellung</translation>
+    </message>
+    <message>
+        <source>No function</source>
+        <translation>Ohne Funktion</translation>
+    </message>
+    <message>
+        <source>a gobo</source>
+        <translation>ein Gobo</translation>
+    </message>
 </context>
 <context>
     <name>Picture</name>
@@ -7194,6 +7242,22 @@ Bitte den Namen des Ordners prüfen.</translation>
         <source>is being opened under its new name, which takes a moment: nothing is changed</source>
         <translation>wird unter dem neuen Namen geöffnet, das dauert einen Moment: nichts wird geändert</translation>
     </message>
+    <message>
+        <source>its intensity is at %1</source>
+        <translation>seine Intensität steht auf %1</translation>
+    </message>
+    <message>
+        <source>their intensity is at 0</source>
+        <translation>ihre Intensität steht auf 0</translation>
+    </message>
+    <message>
+        <source>hands have it so: %1</source>
+        <translation>von Hand: %1</translation>
+    </message>
+    <message>
+        <source>hands have them so: %1</source>
+        <translation>von Hand: %1</translation>
+    </message>
 </context>
 <context>
     <name>Transport</name>
@@ -7471,10 +7535,6 @@ Bitte den Namen des Ordners prüfen.</translation>
         <translation>&apos;%1&apos; ausgeblendet</translation>
     </message>
     <message>
-        <source>Palette &apos;%1&apos; stored</source>
-        <translation>Palette &apos;%1&apos; gespeichert</translation>
-    </message>
-    <message>
         <source>Palette &apos;%1&apos; removed</source>
         <translation>Palette &apos;%1&apos; entfernt</translation>
     </message>
@@ -7587,6 +7647,10 @@ Bitte den Namen des Ordners prüfen.</translation>
     <message>
         <source>Look &apos;%1&apos; removed</source>
         <translation>Look &apos;%1&apos; entfernt</translation>
+    </message>
+    <message>
+        <source>Palette &apos;%1&apos; stored: %2</source>
+        <translation>Palette &apos;%1&apos; gespeichert: %2</translation>
     </message>
 </context>
 <context>

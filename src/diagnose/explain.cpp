@@ -137,10 +137,21 @@ void sort_findings(std::vector<Reason>& findings) {
                      [&](const Reason& a, const Reason& b) { return place(a) < place(b); });
 }
 
-const Reason* first_blocking(const std::vector<Reason>& findings) {
-    for (const Reason& finding : findings)
+template <class Findings>
+auto first_blocking(Findings& findings) -> decltype(findings.data()) {
+    for (auto& finding : findings)
         if (finding.blocks) return &finding;
     return nullptr;
+}
+
+// Whether a part is as it is because hands have it so.
+bool is_by_hand(const Reason& reason, const fixture::Programmer& hand,
+                const std::vector<ChannelFacts>& channels) {
+    if (reason.cause == Cause::dimmer && hand.intensity) return true;
+    return !hand.levels.empty() ||
+           std::any_of(reason.channels.begin(), reason.channels.end(), [&](int channel) {
+               return hand.channels.contains(channels[static_cast<std::size_t>(channel)].name);
+           });
 }
 
 // "draws a fan of 12 rays, 60 deg wide", as the rig chooses between show file and desk; "" where it draws
@@ -280,7 +291,12 @@ Explanation Explainer::explain(std::size_t index, int asked_beam) const {
     result.type = patch.type->name;
     result.mode = patch.mode_of().name;
     result.footprint = patch.mode_of().footprint;
-    result.channels = channel_facts(patch, levels_);
+    result.channels = channel_facts(patch, fixture::read_channels(patch, levels_));
+    const fixture::Programmer* const hand = input_.rig.by_hand(index);
+    const std::vector<ChannelFacts> held =
+        hand && hand->sets_levels()
+            ? channel_facts(patch, fixture::read_levels(patch, levels_by_hand(*hand, patch, levels_)))
+            : result.channels;
     result.universes = universe_facts(input_, result.channels);
     result.looked =
         input_.stage != nullptr && !input_.stage->instances.empty() && input_.first_hit != nullptr;
@@ -297,14 +313,14 @@ Explanation Explainer::explain(std::size_t index, int asked_beam) const {
         std::optional<Projector> projector = fixture.projector;
         // A desk may have chosen another medium than the show.
         if (projector && light.slide.layer > 0) projector->media = static_cast<int>(light.slide.layer) - 1;
-        BeamFacts facts = measure(patch, b, state.beams[b], light, result.channels, input_.gobos,
-                                  projector ? &*projector : nullptr);
+        BeamFacts facts =
+            measure(patch, b, state.beams[b], light, held, input_.gobos, projector ? &*projector : nullptr);
         if (!state.lamp.lit) facts.lamp = 0.0f; // a filament has that in its dimmer
         if (is_left_dark) {
             facts.asked = 0.0f;
             facts.rest = 1.0f;
         }
-        facts.findings = causes_in_beam(patch, b, state.beams[b], facts, result.channels);
+        facts.findings = causes_in_beam(patch, b, state.beams[b], facts, held, hand);
         sort_findings(facts.findings);
         facts.glows = face.glows;
         if (fixture.projector) {
@@ -352,8 +368,14 @@ Explanation Explainer::explain(std::size_t index, int asked_beam) const {
             beam.findings.push_back(unasked(by_file(static_cast<std::size_t>(result.main_beam))));
         } else {
             if (!first_blocking(beam.findings)) beam.findings.push_back(several(beam));
-            direct_copy = *first_blocking(beam.findings);
-            direct = &direct_copy;
+            Reason& first = *first_blocking(beam.findings);
+            if (hand && is_by_hand(first, *hand, held)) { // whatever network and patch do
+                first.text = "hands have it so: " + first.text;
+                first.group = "hands have them so: " + first.group;
+            } else {
+                direct_copy = first;
+                direct = &direct_copy;
+            }
         }
         if (quick_sum_lm < kFaint * brightest_lm_ && most_cd < kFaint * brightest_cd_ &&
             visibility != Visibility::dark)

@@ -337,7 +337,8 @@ void add_lamp_findings(const Beam& beam, const BeamFacts& facts, std::vector<Rea
 
 std::vector<Reason> causes_in_beam(const fixture::Patch& patch, std::size_t beam_index,
                                    const fixture::BeamState& state, const BeamFacts& facts,
-                                   const std::vector<ChannelFacts>& channels) {
+                                   const std::vector<ChannelFacts>& channels,
+                                   const fixture::Programmer* hand) {
     const Beam beam{patch.mode_of(), beam_index, channels};
     const fixture::Optics& optics = state.optics;
     std::vector<Reason> findings;
@@ -351,8 +352,11 @@ std::vector<Reason> causes_in_beam(const fixture::Patch& patch, std::size_t beam
                             "stand-in optics of 10000 lm and 25 degrees: its file says nothing of its own",
                             "their optics are a stand-in",
                             {}});
-    if (std::optional<Reason> dimmer =
-            optics.dimmer < kBlocks ? dimmer_finding(beam, optics, facts) : std::nullopt)
+    if (hand && hand->intensity && *hand->intensity < kBlocks)
+        findings.push_back(blocking(Cause::dimmer, "its intensity is at " + percent(*hand->intensity),
+                                    "their intensity is at 0", {}, optics.dimmer));
+    else if (std::optional<Reason> dimmer =
+                 optics.dimmer < kBlocks ? dimmer_finding(beam, optics, facts) : std::nullopt)
         findings.push_back(std::move(*dimmer));
     add_virtual_dimmer(beam, findings);
     if (facts.shutter < kBlocks) findings.push_back(shutter_finding(beam, facts));

@@ -270,9 +270,9 @@ std::string joined(const std::vector<std::string>& parts, const std::string& las
     return text;
 }
 
-std::vector<ChannelFacts> channel_facts(const fixture::Patch& patch, const fixture::Levels& levels) {
+std::vector<ChannelFacts> channel_facts(const fixture::Patch& patch,
+                                        const std::vector<ChannelReading>& readings) {
     const fixture::Mode& mode = patch.mode_of();
-    const std::vector<ChannelReading> readings = fixture::read_channels(patch, levels);
     std::vector<ChannelFacts> channels(mode.channels.size());
     for (std::size_t i = 0; i < channels.size(); ++i) {
         channels[i].name = mode.channels[i].name;

@@ -34,8 +34,9 @@ std::string place_text(const ChannelFacts& channel);
 std::string value_text(const ChannelFacts& channel);
 std::string joined(const std::vector<std::string>& parts, const std::string& last = " and ");
 
-// In the order of Mode::channels.
-std::vector<ChannelFacts> channel_facts(const fixture::Patch& patch, const fixture::Levels& levels);
+// In the order of Mode::channels, as the readings.
+std::vector<ChannelFacts> channel_facts(const fixture::Patch& patch,
+                                        const std::vector<fixture::ChannelReading>& readings);
 
 // Light that leaves, in lumens: beam_candela over all directions.
 float output_lm(const shared::Light& light, const GoboStack& gobos);
@@ -62,10 +63,12 @@ BeamFacts measure(const fixture::Patch& patch, std::size_t beam, const fixture::
 // Fraction of the light of an open beam that these optics let out, wherever the head points.
 float fraction_of(const fixture::Type& type, const fixture::BeamState& state, const GoboStack& gobos);
 
-// What in the fixture itself keeps this beam dark, in order; the channels that change it only.
+// What in the fixture itself keeps this beam dark, in order; the channels that change it only. hand: what is
+// set by hand, null: nothing; channels are those of its levels then.
 std::vector<Reason> causes_in_beam(const fixture::Patch& patch, std::size_t beam,
                                    const fixture::BeamState& state, const BeamFacts& facts,
-                                   const std::vector<ChannelFacts>& channels);
+                                   const std::vector<ChannelFacts>& channels,
+                                   const fixture::Programmer* hand);
 
 // The ray along the middle of what is lit, and where that meets nothing some beside it. Needs a stage.
 void look(const ExplainInput& input, const shared::Light& light, BeamFacts& facts);

@@ -77,6 +77,11 @@ public:
         const auto found = asked_.find(fixture);
         return found == asked_.end() ? nullptr : &found->second;
     }
+    // What hands set of a fixture in the last step; null: nothing.
+    const fixture::Programmer* by_hand(std::size_t fixture) const {
+        const auto found = programmer_.find(fixture);
+        return found == programmer_.end() ? nullptr : &found->second;
+    }
     // How the beams of a fixture are grouped; nothing where it has no type.
     const BeamGroups& emitters(std::size_t fixture) const { return *emitters_[fixture]; }
     // What carries fixtures, objects and cameras; step moves it on, to at_s of the recording or time code.

@@ -15,6 +15,7 @@ using glm::vec3;
 
 constexpr float kHouseFov_deg = 40.0f;
 constexpr float kRoomFov_deg = 65.0f;
+constexpr float kWidestFov_deg = 75.0f;
 constexpr float kCloseFov_deg = 60.0f;
 constexpr float kHighFov_deg = 45.0f;
 constexpr float kAspect = 16.0f / 9.0f;
@@ -198,6 +199,26 @@ vec3 among_the_lights(const Sight& sight, const Box& box, const vec3& target_m) 
     return best_m;
 }
 
+// With all fixtures in the picture, as far as a lens can be that wide.
+Camera seeing_all(Camera camera, const Show& show) {
+    constexpr float kMargin = 1.06f;
+    constexpr float kLeastAhead = 0.3f; // of the way: what is beside the camera no lens brings into it
+    const vec3 ahead = glm::normalize(camera.target_m - camera.position_m);
+    const vec3 right = glm::normalize(glm::cross(ahead, vec3(0, 0, 1)));
+    const vec3 up = glm::cross(right, ahead);
+    float tangent = half_tangent(camera.fov_y_deg);
+    for (const PatchedFixture& fixture : show.fixtures)
+        for (const vec3& stop_m : fixture.stops_m()) {
+            const vec3 way = stop_m - camera.position_m;
+            const float depth_m = glm::dot(way, ahead);
+            if (depth_m < kLeastAhead * glm::length(way)) continue;
+            tangent = std::max({tangent, kMargin * std::abs(glm::dot(way, up)) / depth_m,
+                                kMargin * std::abs(glm::dot(way, right)) / (kAspect * depth_m)});
+        }
+    camera.fov_y_deg = std::min(glm::degrees(2 * std::atan(tangent)), kWidestFov_deg);
+    return camera;
+}
+
 Camera in_the_house(const Sight& sight, const Box& box) {
     const vec3 size = box.size_m();
     const vec3 middle = box.middle_m();
@@ -208,8 +229,14 @@ Camera in_the_house(const Sight& sight, const Box& box) {
     // A little above the heads, looking at two fifths of the height.
     const float house_z = box.low_m.z + std::clamp(0.25f * size.z, kEye_m, 5.0f);
     const vec3 house_target(middle.x, middle.y, box.low_m.z + 0.5f * size.z);
-    const vec3 front(middle.x, box.low_m.y - 0.5f, house_z);
-    const auto house_m = before_walls(sight, front, {middle.x, box.low_m.y - away_m, house_z});
+    const float front_y = box.low_m.y - 0.5f, back_y = box.low_m.y - away_m;
+    std::optional<vec3> house_m;
+    for (const float lift_m : {0.0f, 1.0f, 2.0f, 3.5f}) { // over who stands in the way
+        const float z = house_z + lift_m;
+        const auto found_m = before_walls(sight, {middle.x, front_y, z}, {middle.x, back_y, z});
+        if (found_m && (!house_m || found_m->y < house_m->y - 0.5f)) house_m = found_m;
+        if (house_m && house_m->y <= back_y + 0.01f) break;
+    }
     return house_m ? camera("house", *house_m, house_target, kHouseFov_deg)
                    : in_the_room(sight, box, house_z);
 }
@@ -218,7 +245,7 @@ Camera in_the_house(const Sight& sight, const Box& box) {
 
 Camera house_camera(const Show& show, const Stage& stage) {
     const Sight sight(stage);
-    return in_the_house(sight, subject_of(show, sight));
+    return seeing_all(in_the_house(sight, subject_of(show, sight)), show);
 }
 
 std::vector<Camera> default_cameras(const Show& show) {
@@ -233,7 +260,7 @@ std::vector<Camera> default_cameras(const Show& show) {
     const vec3 high_wanted = middle + reach_m * glm::normalize(vec3(-0.75f, -0.95f, 0.55f));
     const vec3 high_from = middle + vec3(0, 0, 0.3f * size.z);
     const vec3 high = before_walls(sight, high_from, high_wanted).value_or(high_wanted);
-    return {in_the_house(sight, box), camera("close", close, close_target, kCloseFov_deg),
+    return {seeing_all(in_the_house(sight, box), show), camera("close", close, close_target, kCloseFov_deg),
             camera("high", high, {middle.x, middle.y, box.low_m.z + 0.3f * size.z}, kHighFov_deg)};
 }
 

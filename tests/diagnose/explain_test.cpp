@@ -80,6 +80,25 @@ TEST(explain, DimmerAtZero) {
            {"nearly dark (2 % of", "is at 5"});
 }
 
+TEST(explain, WhatHandsKeepDarkIsSaidAsTheirs) {
+    Trial trial(type_of(kDimmer + kShutter));
+    trial.set(1, 230).set(2, 8);
+    trial.hands[0].intensity = 0.0f;
+    const Explanation dark = trial.explain();
+    expect(dark, Visibility::dark, Cause::dimmer, {"dark because hands have it so: its intensity is at 0 %"});
+    EXPECT_EQ(dark.channels[0].value, "230") << "the desk's";
+    trial.hands[0] = {.levels = {0, 8}}; // as a stored look has it
+    expect(trial.explain(), Visibility::dark, Cause::dimmer,
+           {"dark because hands have it so: the dimmer on channel 1 (1.001) is at 0 of function 'Dimmer'"});
+    trial.hands[0] = {.levels = {255, 0}};
+    expect(trial.explain(), Visibility::dark, Cause::shutter,
+           {"dark because hands have it so: the shutter function 'Closed' (DMX 0-7) is active on channel 2"});
+    trial.set(1, 0);
+    trial.hands[0] = {.colour = glm::vec3(1, 0, 0)}; // of what keeps it dark hands hold nothing
+    expect(trial.explain(), Visibility::dark, Cause::dimmer,
+           {"dark because the dimmer on channel 1 (1.001) is at 0"});
+}
+
 TEST(explain, SixteenBitValuesAreCoarseAndFine) {
     Trial trial(type_of(simple("1,2", "Dimmer")));
     const Explanation dark = trial.set(2, 20).explain();

@@ -197,6 +197,30 @@ TEST(DefaultCameras, SeeTheRigAndStayBeforeWalls) {
     const std::vector<Camera> walled = default_cameras(show);
     EXPECT_GT(walled[0].position_m.y, -10.0f);
     EXPECT_LT(walled[0].position_m.y, -5.0f);
+    // So near, with a wider lens.
+    const glm::vec3 ahead = glm::normalize(walled[0].target_m - walled[0].position_m);
+    const float half = std::tan(glm::radians(walled[0].fov_y_deg / 2));
+    for (const PatchedFixture& fixture : show.fixtures) {
+        const glm::vec3 way = fixture.position_m - walled[0].position_m;
+        EXPECT_LT(std::abs(way.x) / glm::dot(way, ahead), half * 16 / 9) << fixture.position_m.x;
+    }
+}
+
+TEST(DefaultCameras, LookOverWhoStandsInTheWay) {
+    Show show;
+    for (int k = 0; k < 11; ++k) {
+        show.fixtures.emplace_back();
+        show.fixtures.back().position_m = {static_cast<float>(2 * k - 10), 5, 8};
+    }
+    const float free_y = default_cameras(show)[0].position_m.y;
+    Mesh person;
+    person.positions = {{-0.4f, -3, 0}, {0.4f, -3, 0}, {0.4f, -3, 2.6f}, {-0.4f, -3, 2.6f}};
+    person.normals.assign(4, {0, 1, 0});
+    person.indices = {0, 1, 2, 0, 2, 3};
+    show.stage.meshes.push_back(person);
+    show.stage.materials.emplace_back();
+    show.stage.instances.push_back({"person", 0, glm::mat4(1.0f), kNone});
+    EXPECT_FLOAT_EQ(default_cameras(show)[0].position_m.y, free_y);
 }
 
 TEST(DefaultCameras, StepAsideFromWhatStandsBeforeThem) {

@@ -125,7 +125,8 @@ struct Trial {
     Stage stage;
     bool has_stage = true;
     std::map<int, dmx::Levels> levels;
-    dmx::Universes universes; // instead of levels, where it has any
+    std::map<std::size_t, fixture::Programmer> hands; // by fixture
+    dmx::Universes universes;                         // instead of levels, where it has any
     Reception reception;
     double dt_s = 1.0 / 30;
     int steps = 1;
@@ -164,7 +165,7 @@ struct Trial {
         const GoboStack gobos = build_gobos(show, report);
         Rig rig(show);
         rig.leave_unasked_dark(leaves_unasked_dark);
-        for (int step = 0; step < steps; ++step) rig.step(universes, dt_s);
+        for (int step = 0; step < steps; ++step) rig.step(universes, dt_s, hands);
         ExplainInput input{show, report, rig, gobos, universes, reception};
         input.now_s = 10;
         if (has_stage) {

@@ -176,6 +176,9 @@ const std::map<QString, Condition> kOfTheirOwn{
     {"take-plot", [](const AppModel& app, const ShowDocument&) { return app.plot().number > 0; }},
     {"cancel-jobs", [](const AppModel& app, const ShowDocument&) { return app.jobs().is_busy(); }},
 };
+bool has_something_chosen(const AppModel& app, const ShowDocument&) {
+    return !app.selection().empty() || app.marked().has_value();
+}
 // With a show.
 const std::map<QString, Condition> kOfTheirOwnInAShow{
     {"undo", [](const AppModel& app, const ShowDocument&) { return app.undo_stack().canUndo(); }},
@@ -184,8 +187,11 @@ const std::map<QString, Condition> kOfTheirOwnInAShow{
     {"drop-changes", [](const AppModel&, const ShowDocument& document) { return document.has_draft(); }},
     {"take-over", [](const AppModel&, const ShowDocument& document) { return document.is_read_only(); }},
     {"save-picture", [](const AppModel& app, const ShowDocument&) { return app.picture().image != nullptr; }},
-    {"select-none", [](const AppModel& app,
-                       const ShowDocument&) { return !app.selection().empty() || app.marked().has_value(); }},
+    {"select-none", has_something_chosen},
+    {"nudge-left", has_something_chosen},
+    {"nudge-right", has_something_chosen},
+    {"nudge-up-stage", has_something_chosen},
+    {"nudge-down-stage", has_something_chosen},
     {"release",
      [](const AppModel& app, const ShowDocument&) {
          return std::any_of(app.selection().begin(), app.selection().end(),

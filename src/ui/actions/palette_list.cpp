@@ -44,6 +44,14 @@ Result<void> PaletteList::store(scene::PaletteKind kind, const QString& name) {
         palette = all()[*before]; // others keep what it has of them
     palette.name = name.toStdString();
     palette.kind = kind;
+    QStringList names; // a palette of a tilt alone leaves the pan to the desk
+    for (const auto& [fixture, values] : own)
+        for (const QString& one : names_of(values))
+            if (!names.contains(one)) names << one;
+    for (auto& [fixture, values] : own) {
+        const auto stored = palette.fixtures.find(fixture);
+        values = merged(stored == palette.fixtures.end() ? palette.values : stored->second, values);
+    }
     const scene::PaletteValues& first = own.begin()->second;
     const bool are_same =
         std::all_of(own.begin(), own.end(), [&](const auto& one) { return one.second == first; });
@@ -51,7 +59,7 @@ Result<void> PaletteList::store(scene::PaletteKind kind, const QString& name) {
         palette.values = first;
     else
         for (auto& [fixture, values] : own) palette.fixtures.insert_or_assign(fixture, std::move(values));
-    const QString what = translated("Undo", "Palette '%1' stored").arg(name);
+    const QString what = translated("Undo", "Palette '%1' stored: %2").arg(name, names.join(", "));
     if (!before.ok()) return edit(what, scene::add_palette(document_.text(), palette));
     return edit(what, scene::replace_palette(document_.text(), all(), *before, palette));
 }

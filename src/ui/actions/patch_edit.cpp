@@ -246,7 +246,8 @@ Result<void> PatchEdit::move_by(const glm::vec3& by_m) {
                      [&](const scene::PatchedFixture& fixture, scene::FixtureEdit& edit) -> Result<void> {
                          if (fixture.track)
                              return Error{"hangs on a track, which says where it is", fixture.name};
-                         edit.position_m = fixture.position_m + by_m;
+                         constexpr float kSteps_m = 10000; // else a sum of 2.39 is written as 2.3899999
+                         edit.position_m = glm::round((fixture.position_m + by_m) * kSteps_m) / kSteps_m;
                          return {};
                      });
 }

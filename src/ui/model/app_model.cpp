@@ -273,10 +273,10 @@ void AppModel::take_opened(Opened opened) {
     flight_.stop();
     const bool is_copy =
         std::exchange(copy_, 0) == opened_.opens && opened_.opens > 0 && before.show && opened_.show;
-    if (is_copy) opened_.again = true;
     if (!is_copy) undo_.clear();
-    const bool keeps_hands =
-        std::exchange(made_of_plot_, 0) == opened_.opens && opened_.opens > 0 && before.show && opened_.show;
+    const bool was_made = std::exchange(made_of_plot_, 0) == opened_.opens && opened_.opens > 0;
+    const bool keeps_hands = before.show && opened_.show && (was_made || opened_.again);
+    if (is_copy) opened_.again = true;
     std::set<std::size_t> selection;
     if (keeps_hands) selection = carried(selection_, *before.show, *opened_.show);
     if (!is_copy) put_selection({});

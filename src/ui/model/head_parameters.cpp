@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace ghost::ui {
 namespace {
@@ -132,24 +133,6 @@ QString choice_of(const ChannelFunction& function) {
                                          : translated("Parameter", "Closed");
 }
 
-std::vector<ParameterRange> ranges_of(const Channel& channel) {
-    std::vector<ParameterRange> ranges;
-    for (const ChannelFunction& function : channel.functions) {
-        bool named = false;
-        for (const fixture::ChannelSet& set : function.sets) {
-            if (set.name.empty()) continue;
-            ranges.push_back({QString::fromStdString(set.name), share_of(channel, set.dmx_from),
-                              share_of(channel, set.dmx_to), function.wheel, set.slot});
-            named = true;
-        }
-        const QString choice = choice_of(function);
-        if (!named)
-            ranges.push_back({choice.isEmpty() ? name_of(function) : choice,
-                              share_of(channel, function.dmx_from), share_of(channel, function.dmx_to)});
-    }
-    return ranges;
-}
-
 QString unit_of(Role role) {
     switch (role) {
     case Role::strobe:
@@ -180,6 +163,48 @@ QString unit_of(Role role) {
     default:
         return "";
     }
+}
+
+// "12 to 180 °/s", "0 °/s", "50 to 75 %".
+QString span_of(float from, float to, const QString& unit) {
+    const QString end = QString::number(static_cast<double>(to), 'f', 0) + unit;
+    return from == to ? end
+                      : translated("Parameter", "%1 to %2")
+                            .arg(QString::number(static_cast<double>(from), 'f', 0), end);
+}
+
+// Names that several have, with what sets these apart.
+void tell_apart(std::vector<ParameterRange>& ranges, const std::vector<QString>& apart) {
+    std::map<QString, int> count;
+    for (const ParameterRange& range : ranges) ++count[range.name];
+    for (std::size_t i = 0; i < ranges.size(); ++i)
+        if (count[ranges[i].name] > 1 && ranges[i].name != apart[i]) ranges[i].name += ": " + apart[i];
+}
+
+std::vector<ParameterRange> ranges_of(const Channel& channel) {
+    std::vector<ParameterRange> ranges;
+    std::vector<QString> does, shares; // what each does, and where it lies
+    for (const ChannelFunction& function : channel.functions) {
+        bool named = false;
+        for (const fixture::ChannelSet& set : function.sets) {
+            if (set.name.empty()) continue;
+            ranges.push_back({QString::fromStdString(set.name), share_of(channel, set.dmx_from),
+                              share_of(channel, set.dmx_to), function.wheel, set.slot});
+            does.push_back(name_of(function));
+            named = true;
+        }
+        if (named) continue;
+        const QString choice = choice_of(function), unit = unit_of(function.meaning.role);
+        ranges.push_back({choice.isEmpty() ? name_of(function) : choice, share_of(channel, function.dmx_from),
+                          share_of(channel, function.dmx_to)});
+        does.push_back(unit.isEmpty() ? ranges.back().name
+                                      : span_of(function.physical_from, function.physical_to, unit));
+    }
+    for (const ParameterRange& range : ranges)
+        shares.push_back(span_of(100 * range.from, 100 * range.to, " %"));
+    tell_apart(ranges, does);
+    tell_apart(ranges, shares);
+    return ranges;
 }
 
 QString meaning_of(const Channel& channel, std::uint32_t raw) {
@@ -270,9 +295,22 @@ QString attribute_words(const std::string& attribute) {
         {QRegularExpression("^Shutter(\\d+)(Strobe.*)?$"), QT_TRANSLATE_NOOP("Parameter", "Shutter")},
         {QRegularExpression("^Gobo(\\d+)$"), QT_TRANSLATE_NOOP("Parameter", "Gobo wheel \\1")},
         {QRegularExpression("^Gobo(\\d+)Pos(Rotate)?$"), QT_TRANSLATE_NOOP("Parameter", "Gobo \\1 turn")},
+        {QRegularExpression("^Gobo(\\d+)WheelSpin$"), QT_TRANSLATE_NOOP("Parameter", "Gobo wheel \\1 spins")},
+        {QRegularExpression("^Gobo(\\d+)WheelIndex$"), QT_TRANSLATE_NOOP("Parameter", "Gobo wheel \\1 turn")},
+        {QRegularExpression("^Gobo(\\d+)WheelRandom$"),
+         QT_TRANSLATE_NOOP("Parameter", "Gobo wheel \\1 at random")},
+        {QRegularExpression("^Gobo(\\d+)SelectSpin$"), QT_TRANSLATE_NOOP("Parameter", "Gobo \\1, turning")},
+        {QRegularExpression("^Gobo(\\d+)(Wheel|Select|Pos)Shake$"),
+         QT_TRANSLATE_NOOP("Parameter", "Gobo \\1, shaking")},
         {QRegularExpression("^Prism(\\d+)$"), QT_TRANSLATE_NOOP("Parameter", "Prism \\1")},
         {QRegularExpression("^Prism(\\d+)Pos(Rotate)?$"), QT_TRANSLATE_NOOP("Parameter", "Prism \\1 turn")},
         {QRegularExpression("^Color(\\d+)$"), QT_TRANSLATE_NOOP("Parameter", "Colour wheel \\1")},
+        {QRegularExpression("^Color(\\d+)WheelSpin$"),
+         QT_TRANSLATE_NOOP("Parameter", "Colour wheel \\1 spins")},
+        {QRegularExpression("^Color(\\d+)WheelIndex$"),
+         QT_TRANSLATE_NOOP("Parameter", "Colour wheel \\1 turn")},
+        {QRegularExpression("^Color(\\d+)WheelRandom$"),
+         QT_TRANSLATE_NOOP("Parameter", "Colour wheel \\1 at random")},
         {QRegularExpression("^ColorSub_C$"), QT_TRANSLATE_NOOP("Parameter", "Cyan")},
         {QRegularExpression("^ColorSub_M$"), QT_TRANSLATE_NOOP("Parameter", "Magenta")},
         {QRegularExpression("^ColorSub_Y$"), QT_TRANSLATE_NOOP("Parameter", "Yellow")},
@@ -290,13 +328,16 @@ QString attribute_words(const std::string& attribute) {
         {QRegularExpression("^Frost(\\d+)$"), QT_TRANSLATE_NOOP("Parameter", "Frost \\1")},
         {QRegularExpression("^Focus(\\d+)$"), QT_TRANSLATE_NOOP("Parameter", "Focus")},
         {QRegularExpression("^AnimationWheel(\\d+)$"), QT_TRANSLATE_NOOP("Parameter", "Animation wheel")},
+        {QRegularExpression("^AnimationWheel(\\d+)Pos(Rotate)?$"),
+         QT_TRANSLATE_NOOP("Parameter", "Animation wheel turn")},
+        {QRegularExpression("^NoFeature$"), QT_TRANSLATE_NOOP("Parameter", "No function")},
     };
     const QString name = QString::fromStdString(attribute);
     for (const auto& [pattern, words] : kWords)
         if (pattern.match(name).hasMatch())
             return QString(name).replace(pattern, translated("Parameter", words));
-    static const QRegularExpression kParts("([a-z])([A-Z0-9])|([0-9])([A-Z])");
-    return QString(name).replace(kParts, "\\1\\3 \\2\\4").replace('_', ' ').replace("Color", "Colour");
+    static const auto kParts = QRegularExpression("(?<=[a-z])(?=[A-Z0-9])|(?<=[0-9])(?=[A-Z][a-z])");
+    return QString(name).replace(kParts, " ").replace('_', ' ').replace("Color", "Colour");
 }
 
 int gobo_wheel_of(const scene::PatchedFixture& fixture) {

@@ -23,7 +23,8 @@ std::optional<float> nearest_along(const glm::vec3& along, const glm::vec3& eye_
 
 } // namespace
 
-LampDrag::LampDrag(const glm::vec3& place_m, const std::vector<Object>& objects) : place_m_(place_m) {
+LampDrag::LampDrag(const glm::vec3& place_m, const glm::vec3& hangs_m, const std::vector<Object>& objects)
+    : place_m_(place_m) {
     std::vector<scene::Bar> pieces;
     std::vector<std::size_t> of_piece;
     for (std::size_t i = 0; i < objects.size(); ++i) {
@@ -34,7 +35,7 @@ LampDrag::LampDrag(const glm::vec3& place_m, const std::vector<Object>& objects)
     float nearest_m = INFINITY;
     std::optional<std::size_t> nearest;
     for (std::size_t k = 0; k < pieces.size(); ++k) {
-        const std::optional<float> away_m = scene::hangs_away_m(pieces[k], place_m);
+        const std::optional<float> away_m = scene::hangs_away_m(pieces[k], hangs_m);
         if (!away_m || *away_m >= nearest_m) continue;
         nearest_m = *away_m;
         nearest = k;
@@ -42,7 +43,7 @@ LampDrag::LampDrag(const glm::vec3& place_m, const std::vector<Object>& objects)
     if (!nearest) return;
     const scene::Bar bar = scene::joined(pieces[*nearest], pieces);
     along_ = (bar.to_m - bar.from_m) / bar.length_m();
-    low_m_ = -glm::dot(place_m - bar.from_m, along_);
+    low_m_ = -glm::dot(hangs_m - bar.from_m, along_);
     high_m_ = bar.length_m() + low_m_;
     bar_ = objects[of_piece[*nearest]].name;
 }
@@ -55,24 +56,29 @@ void LampDrag::take_along(const LampDrag& other) {
     high_m_ = std::min(high_m_, cosine > 0 ? other.high_m_ : -other.low_m_);
 }
 
-glm::vec3 LampDrag::by_m(const glm::vec3& eye_m, const glm::vec3& way, bool upright) const {
+// Where a line of sight meets what the light runs along, from the light's place; never far behind the
+// horizon.
+std::optional<glm::vec3> LampDrag::met_m(const glm::vec3& eye_m, const glm::vec3& way, bool upright) const {
     const glm::vec3 eye = eye_m - place_m_;
-    glm::vec3 by(0);
     if (upright || along_ != glm::vec3(0)) {
         const glm::vec3 along = upright ? glm::vec3(0, 0, 1) : along_;
         const std::optional<float> so_far = nearest_along(along, eye, way);
-        if (!so_far) return by;
-        const float held =
-            upright ? std::clamp(*so_far, -kMost_m, kMost_m) : std::clamp(*so_far, low_m_, high_m_);
-        by = along * held;
-    } else {
-        if (std::abs(way.z) < kLeastSine) return by;
-        const float distance_m = -eye.z / way.z;
-        if (distance_m <= 0) return by;
-        by = eye + way * distance_m;
-        by.z = 0;
-        if (glm::length(by) > kMost_m) by *= kMost_m / glm::length(by);
+        return so_far ? std::optional(along * *so_far) : std::nullopt;
     }
+    if (std::abs(way.z) < kLeastSine || eye.z / way.z >= 0) return std::nullopt;
+    const glm::vec3 met = eye - way * (eye.z / way.z);
+    return glm::vec3(met.x, met.y, 0);
+}
+
+glm::vec3 LampDrag::by_m(const glm::vec3& eye_m, const glm::vec3& from_way, const glm::vec3& way,
+                         bool upright) const {
+    const auto from = met_m(eye_m, from_way, upright), to = met_m(eye_m, way, upright);
+    if (!from || !to) return glm::vec3(0);
+    glm::vec3 by = *to - *from;
+    if (!upright && along_ != glm::vec3(0))
+        by = along_ * std::clamp(glm::dot(by, along_), low_m_, high_m_);
+    else if (glm::length(by) > kMost_m)
+        by *= kMost_m / glm::length(by);
     return glm::round(by * 100.0f) / 100.0f;
 }
 

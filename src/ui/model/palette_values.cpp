@@ -6,8 +6,9 @@
 #include "ui/model/head_parameters.h"
 #include "ui/model/head_values.h"
 
-#include <QStringList>
+#include <QRegularExpression>
 
+#include <algorithm>
 #include <cmath>
 
 namespace ghost::ui {
@@ -51,6 +52,26 @@ scene::PaletteValues palette_values_of(PaletteKind kind, const scene::PatchedFix
     return values;
 }
 
+scene::PaletteValues merged(const scene::PaletteValues& before, const scene::PaletteValues& now) {
+    scene::PaletteValues values = now;
+    if (!values.pan_deg) values.pan_deg = before.pan_deg;
+    if (!values.tilt_deg) values.tilt_deg = before.tilt_deg;
+    if (!values.zoom_deg) values.zoom_deg = before.zoom_deg;
+    // One value stands above several attributes: what was said last is meant.
+    static const auto kWheel = QRegularExpression("^Gobo\\d+$");
+    const auto is_of = [](const char* begin, const auto& one) { return one.first.starts_with(begin); };
+    const bool mixes = std::any_of(now.attributes.begin(), now.attributes.end(),
+                                   [&](const auto& one) { return is_of("Color", one); });
+    if (!values.colour && !mixes) values.colour = before.colour;
+    const bool chooses = std::any_of(now.attributes.begin(), now.attributes.end(), [](const auto& one) {
+        return kWheel.match(QString::fromStdString(one.first)).hasMatch();
+    });
+    if (!values.gobo && !chooses) values.gobo = before.gobo;
+    for (const auto& one : before.attributes)
+        if (!now.colour || !is_of("Color", one)) values.attributes.insert(one);
+    return values;
+}
+
 bool give_values(const scene::PaletteValues& values, const scene::PatchedFixture& fixture,
                  fixture::Programmer& programmer) {
     bool any = false;
@@ -81,6 +102,17 @@ QString words_of(const scene::PaletteValues& values) {
     for (const auto& [attribute, share] : values.attributes)
         words << QString("%1 %2 %").arg(attribute_words(attribute)).arg(std::lround(100 * share));
     return words.join(", ");
+}
+
+QStringList names_of(const scene::PaletteValues& values) {
+    QStringList names;
+    if (values.pan_deg) names << translated("Parameter", "pan");
+    if (values.tilt_deg) names << translated("Parameter", "tilt");
+    if (values.zoom_deg) names << translated("Parameter", "zoom");
+    if (values.colour) names << translated("Parameter", "a colour");
+    if (values.gobo) names << translated("Parameter", "a gobo");
+    for (const auto& [attribute, share] : values.attributes) names << attribute_words(attribute);
+    return names;
 }
 
 } // namespace ghost::ui

@@ -68,7 +68,7 @@ ShowDocument::ShowDocument(AppModel& app) : app_(app) {
             QMetaObject::invokeMethod(
                 this,
                 [this] {
-                    put({text_, app_.look(), app_.selection()});
+                    if (const auto ours = from_outside(text_); ours.ok()) put(ours->edit);
                 },
                 Qt::QueuedConnection);
     });
@@ -121,6 +121,12 @@ void ShowDocument::read_opened() {
     else if (!file_.empty())
         find_draft();
     Q_EMIT changed();
+}
+
+void ShowDocument::let_go() {
+    gone_timer_.stop();
+    disk_.forget();
+    hold_.reset();
 }
 
 void ShowDocument::hold(Hold::Other other) {
@@ -387,6 +393,8 @@ Result<void> ShowDocument::save(bool over) {
         return written;
     }
     save_failed_ = is_gone_ = false;
+    misses_ = 0;
+    disk_.forget(); // an answer that is on its way may be of before
     saved_ = text_;
     changed_outside_ = false;
     keep_draft();

@@ -81,6 +81,8 @@ public:
     void read_again();
     // Writes what is not saved where the next window finds it. Error: nowhere, nor was it saved as a copy.
     Result<void> keep();
+    // Of a window that closes: others may have the show, while this program still ends.
+    void let_go();
     Result<void> take_draft();
     Result<void> drop_draft();
     // From another window, which keeps what it has not saved in a file of its own and becomes read-only.

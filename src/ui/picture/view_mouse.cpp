@@ -65,7 +65,7 @@ View::Drag View::drag_of_left(Qt::KeyboardModifiers keys) {
     const MoverScene now{app_.opened(), app_.rig(), picture, camera};
     if (is_on_handle(drag_from_)) {
         const Object object = object_now(now, *app_.marked());
-        lamp_ = LampDrag(object.centre_m, {});
+        lamp_ = LampDrag(object.centre_m, object.centre_m, {});
         moved_by_m_ = glm::vec3(0);
         dragged_turn_ = glm::mat3(moved_now(now, object.mover));
         return Drag::object;
@@ -75,7 +75,10 @@ View::Drag View::drag_of_left(Qt::KeyboardModifiers keys) {
         std::vector<Object> objects;
         for (std::size_t i = 0; i < app_.opened().objects.size(); ++i) objects.push_back(object_now(now, i));
         const auto drag_of = [&](std::size_t index) {
-            return LampDrag(app_.rig().fixtures[index].light_m, objects);
+            const auto& fixture = app_.show()->fixtures[index];
+            const glm::vec3 light_m = app_.rig().fixtures[index].light_m;
+            const glm::vec3 hangs_m(moved_now(now, fixture.mover) * glm::vec4(fixture.position_m, 1));
+            return LampDrag(light_m, fixture.track ? light_m : hangs_m, objects);
         };
         dragged_turn_ = glm::mat3(moved_now(now, app_.show()->fixtures[*hit].mover));
         lamp_ = drag_of(*hit);
@@ -139,8 +142,7 @@ void View::mouseMoveEvent(QMouseEvent* event) {
 // The place that was taken hold of stays under the mouse.
 void View::drag_lamp(bool upright) {
     const glm::vec3 eye_m = camera_of_picture().position_m;
-    moved_by_m_ = lamp_->by_m(eye_m, way_of_mouse(drag_at_), upright) -
-                  lamp_->by_m(eye_m, way_of_mouse(drag_from_), upright);
+    moved_by_m_ = lamp_->by_m(eye_m, way_of_mouse(drag_from_), way_of_mouse(drag_at_), upright);
 }
 
 glm::vec3 View::dragged_by_m() const {

@@ -32,10 +32,11 @@ bool is_by_keys(Qt::FocusReason reason) {
 
 } // namespace
 
-// One that the mouse pressed has the focus as well, and leaves Space to the window.
+// One that the mouse pressed has the focus as well, and leaves Space to the window. Qt tells the style, too,
+// who gets the focus.
 void PopupKeys::follow_focus(QObject* object, const QEvent& event) {
     auto* const button = qobject_cast<QAbstractButton*>(object);
-    if (event.type() == QEvent::FocusIn)
+    if (event.type() == QEvent::FocusIn && object->isWidgetType())
         reached_ = is_by_keys(static_cast<const QFocusEvent&>(event).reason()) ? button : nullptr;
     if (button && button == reached_ && event.type() == QEvent::MouseButtonPress) reached_ = nullptr;
 }

@@ -20,11 +20,14 @@ constexpr int kShareSteps = 1000; // of the slider
 
 MixedSpinBox::MixedSpinBox(QWidget* parent) : QDoubleSpinBox(parent) {
     connect(lineEdit(), &QLineEdit::textEdited, this, [this] {
-        if (!std::exchange(word_, QString()).isEmpty()) is_typed_over_ = true;
+        const bool had_word = !std::exchange(word_, QString()).isEmpty();
+        if (!std::exchange(is_typed_over_, true)) before_ = had_word ? std::nullopt : std::optional(value());
     });
     connect(this, &QAbstractSpinBox::editingFinished, this, [this] {
         lineEdit()->setModified(false);
-        if (std::exchange(is_typed_over_, false) && on_typed_over) on_typed_over(value());
+        // Another number is a change, of which valueChanged tells.
+        const bool is_the_same = !before_ || value() == *before_;
+        if (std::exchange(is_typed_over_, false) && is_the_same && on_typed_over) on_typed_over(value());
     });
 }
 

@@ -13,6 +13,7 @@
 #include <QWidget>
 
 #include <functional>
+#include <optional>
 #include <utility>
 
 namespace ghost::ui {
@@ -35,7 +36,8 @@ public:
     void set_word(const QString& word); // empty: its number
     static QString mixed_word();
     bool is_being_typed() const; // and not entered
-    // A number was typed in the place of the word, be it that of the first.
+    // The number that was there already was typed: a person wants it, whatever the desk does later; or that
+    // of the first in the place of the word.
     std::function<void(double)> on_typed_over;
     // A step of what is mixed has no number to begin from.
     std::function<void(double by)> on_mixed_step;
@@ -52,7 +54,8 @@ private:
     QString last_word_;
     bool has(const QString& text) const { return !last_word_.isEmpty() && text.contains(last_word_); }
     QString unit_;
-    bool is_typed_over_ = false; // and not finished
+    bool is_typed_over_ = false;   // and not finished
+    std::optional<double> before_; // when typing began; nothing: a word stood there
 };
 
 // What a slider does that stands for several values: a hand that takes it begins, and goes on until it lets

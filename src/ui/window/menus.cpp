@@ -5,6 +5,7 @@
 #include "ui/language/language.h"
 
 #include <QFileInfo>
+#include <QShortcut>
 
 #include <utility>
 
@@ -42,14 +43,25 @@ constexpr std::pair<const char*, const char*> kMenus[] = {
     {QT_TRANSLATE_NOOP("Menu", "Help"), "shortcuts documentation - about"},
 };
 
+// With the letter that opens it together with Alt: the first one that none before it has.
+QString with_mnemonic(const QString& title, QString& taken) {
+    for (int i = 0; i < title.size(); ++i)
+        if (title[i].isLetter() && !taken.contains(title[i].toLower())) {
+            taken += title[i].toLower();
+            return QString(title).insert(i, '&');
+        }
+    return title;
+}
+
 } // namespace
 
 Menus::Menus(Actions& actions, AppModel& app, ShowDocument& document, RecentShows& recent)
     : actions_(actions), app_(app), document_(document), recent_(recent) {}
 
 void Menus::fill(QMenuBar& bar) {
+    QString taken;
     for (const auto& [title, names] : kMenus) {
-        QMenu* menu = bar.addMenu(translated("Menu", title));
+        QMenu* menu = bar.addMenu(with_mnemonic(translated("Menu", title), taken));
         add(*menu, names);
         // Panels, and what nobody has put in its place; quit stays the last, as everywhere.
         const bool ends_with_quit = QString(names).endsWith("quit");
@@ -63,6 +75,11 @@ void Menus::fill(QMenuBar& bar) {
         }
         grey(*menu);
     }
+    // Qt has this key for menus on Windows alone.
+    connect(new QShortcut(Qt::Key_F10, &bar), &QShortcut::activated, &bar, [&bar] {
+        bar.setFocus(Qt::MenuBarFocusReason);
+        bar.setActiveAction(bar.actions().first());
+    });
 }
 
 void Menus::add(QMenu& menu, const QString& names) {

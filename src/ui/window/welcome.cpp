@@ -72,6 +72,12 @@ Welcome::Welcome(Actions& actions, AppModel& app, RecentShows& recent, bool has_
     connect(&recent_, &RecentShows::changed, this, &Welcome::fill);
     for (const auto signal : {&AppModel::opened_show, &AppModel::activity_came, &AppModel::not_opened})
         connect(&app_, signal, this, &Welcome::refresh);
+    QWidget* before = over; // else Tab goes through panels that are not there yet
+    for (QWidget* const one : ways_->findChildren<QPushButton*>()) {
+        setTabOrder(before, one);
+        before = one;
+    }
+    setTabOrder(before, recent_list_);
     over->installEventFilter(this);
     resize(over->size());
     fill();
@@ -100,7 +106,9 @@ void Welcome::fill() {
                                   return other.name == one.name;
                               }) == 1;
         const QDir folder = QFileInfo(one.path).dir();
-        const QString place = QFileInfo(folder.path()).dir().dirName() + "/" + folder.dirName();
+        const QString file = QFileInfo(one.path).fileName();
+        const QString place = QFileInfo(folder.path()).dir().dirName() + "/" + folder.dirName() +
+                              (file == "show.toml" ? QString() : "/" + file);
         auto* item =
             new QListWidgetItem(QIcon(picture), is_alone ? one.name : one.name + "\n" + place, recent_list_);
         item->setData(Qt::UserRole, one.path);

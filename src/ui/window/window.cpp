@@ -514,6 +514,7 @@ void Window::closeEvent(QCloseEvent* event) {
         settings.setValue("docks", saveState(kLayoutVersion));
     }
     second_.close(); // the last window that closes ends the program
+    document_.let_go();
     event->accept();
 }
 

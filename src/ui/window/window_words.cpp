@@ -34,8 +34,10 @@ void Window::show_title() {
     if (!app_.show()) return;
     const scene::Show& show = *app_.show();
     QString title = QString::fromStdString(show.name.empty() ? show.file.string() : show.name);
-    if (document_.is_read_only() || show.file == show.plot_file)
-        title += " " + translated("Window", "(read only)");
+    const bool is_plot = show.file == show.plot_file;
+    if (const auto file = show.file.filename(); !is_plot && !show.name.empty() && file != "show.toml")
+        title += " (" + QString::fromStdString(file.string()) + ")";
+    if (document_.is_read_only() || is_plot) title += " " + translated("Window", "(read only)");
     setWindowTitle(title + "[*] - Ghostlight");
     setWindowModified(document_.is_changed());
 }

@@ -6,6 +6,7 @@
 #include "support/test_desk.h"
 #include "ui/actions/fan_actions.h"
 #include "ui/actions/palette_list.h"
+#include "ui/model/palette_values.h"
 #include "ui/actions/programmer_actions.h"
 
 #include "fixture_files/gdtf/gdtf.h"
@@ -235,6 +236,23 @@ TEST(PaletteList, an_update_leaves_what_the_palette_has_of_other_heads) {
     update({0, 1}, "pan 7");
     EXPECT_EQ(of("Lamp 1"), 7.0f);
     EXPECT_EQ(of("Lamp 3"), 20.0f);
+    spots.app.set_look({}, "given back");
+    update({2}, "tilt 40"); // alone
+    EXPECT_EQ(of("Lamp 3"), 20.0f);
+    EXPECT_EQ(spots.palettes.all()[0].fixtures.at("Lamp 3").tilt_deg, 40.0f);
+    EXPECT_FALSE(spots.palettes.all()[0].fixtures.at("Lamp 2").tilt_deg);
+    EXPECT_EQ(spots.app.undo_stack().undoText(), "Palette 'Singer' stored: tilt");
+}
+
+TEST(PaletteValues, of_a_colour_and_its_channels_what_was_said_last_is_meant) {
+    const scene::PaletteValues amber{.colour = glm::vec3(1, 0.5f, 0)},
+        cyan{.attributes = {{"ColorSub_C", 1.0f}}};
+    EXPECT_EQ(merged(amber, cyan), cyan);
+    EXPECT_EQ(merged(cyan, amber), amber);
+    const scene::PaletteValues third{.gobo = 3, .attributes = {{"Gobo1Pos", 0.2f}}};
+    EXPECT_EQ(merged(third, {.attributes = {{"Gobo1Pos", 0.5f}}}),
+              (scene::PaletteValues{.gobo = 3, .attributes = {{"Gobo1Pos", 0.5f}}}));
+    EXPECT_FALSE(merged(third, {.attributes = {{"Gobo1", 0.5f}}}).gobo);
 }
 
 TEST(PaletteList, one_for_any_head_stays_so_for_those_that_are_not_selected) {

@@ -125,6 +125,31 @@ TEST(AppModel, a_show_that_is_made_of_the_plot_that_is_open_keeps_what_hands_hol
     EXPECT_TRUE(bench.app.selection().empty());
 }
 
+// Taken from the network while one works by hand.
+TEST(AppModel, a_newer_plot_of_the_show_keeps_what_hands_hold) {
+    Bench bench;
+    bench.open();
+    Look look;
+    for (std::size_t i = 0; i < 4; ++i) look.fixtures[i].intensity = 0.25f * static_cast<float>(i + 1);
+    bench.app.set_look(look, "by hand");
+    bench.app.select({0, 3});
+    Opened newer = four_lamps();
+    auto show = std::make_shared<scene::Show>(*newer.show);
+    show->fixtures.erase(show->fixtures.begin() + 1);
+    newer.show = show;
+    newer.again = true;
+    newer.opens = bench.app.request().opens;
+    bench.link.opened.put(std::move(newer));
+    bench.link.on_news();
+    settle();
+    ASSERT_EQ(bench.app.look().fixtures.size(), 3u);
+    EXPECT_EQ(bench.app.look().fixtures.at(0).intensity, 0.25f);
+    EXPECT_EQ(bench.app.look().fixtures.at(1).intensity, 0.75f);
+    EXPECT_EQ(bench.app.look().fixtures.at(2).intensity, 1.0f);
+    EXPECT_EQ(bench.app.selection(), (std::set<std::size_t>{0, 2}));
+    EXPECT_EQ(bench.app.request().look, bench.app.look());
+}
+
 TEST(AppModel, a_slider_is_one_step_and_different_things_are_two) {
     Bench bench;
     bench.open();

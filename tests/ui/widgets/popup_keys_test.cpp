@@ -2,6 +2,7 @@
 // Space and Return where a button has the focus.
 #include "ui/widgets/popup_keys.h"
 
+#include <QApplication>
 #include <QCheckBox>
 #include <QCoreApplication>
 #include <QFocusEvent>
@@ -54,6 +55,22 @@ TEST(PopupKeys, a_button_that_tab_reached_is_pressed_by_space_and_return) {
         EXPECT_EQ(pressed.count, 2);
         EXPECT_FALSE(pressed.press(Qt::Key_B)) << "the window's";
     }
+}
+
+// Qt itself hands the focus over here, which more than the button hears of.
+TEST(PopupKeys, a_button_of_a_window_is_pressed_by_space_once_it_has_the_focus) {
+    QWidget window;
+    QPushButton first("Add", &window), second("Remove", &window);
+    window.show();
+    QApplication::setActiveWindow(&window);
+    first.setFocus(Qt::MouseFocusReason);
+    Pressed pressed(second);
+    second.setFocus(Qt::TabFocusReason);
+    ASSERT_EQ(QApplication::focusWidget(), &second);
+    EXPECT_TRUE(pressed.press(Qt::Key_Space));
+    EXPECT_EQ(pressed.count, 1);
+    EXPECT_TRUE(pressed.press(Qt::Key_Return));
+    EXPECT_EQ(pressed.count, 2);
 }
 
 TEST(PopupKeys, space_is_the_windows_where_the_mouse_pressed_a_button) {

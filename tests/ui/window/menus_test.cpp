@@ -45,7 +45,7 @@ struct InWindow {
     }
     QMenu* menu(const QString& title) {
         for (QAction* const one : window.menuBar()->actions())
-            if (one->text() == title) return one->menu();
+            if (QString(one->text()).remove('&') == title) return one->menu();
         return nullptr;
     }
     // As it is while the menu is open.

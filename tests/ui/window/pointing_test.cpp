@@ -157,28 +157,50 @@ std::vector<Object> truss() {
     return {truss};
 }
 
+LampDrag drag_at(const glm::vec3& place_m) {
+    return LampDrag(place_m, place_m, truss());
+}
+
 TEST(LampDrag, goes_along_its_truss_to_its_end_and_on_the_level_without_one) {
-    const LampDrag hung({-1, 0, 4}, truss()), free({-1, 3, 4}, truss());
+    const glm::vec3 hung_m(-1, 0, 4), free_m(-1, 3, 4);
+    const LampDrag hung = drag_at(hung_m), free = drag_at(free_m);
     const glm::vec3 eye(0, -10, 2);
     const auto towards = [&](const glm::vec3& at) { return glm::normalize(at - eye); };
-    EXPECT_NEAR(glm::distance(hung.by_m(eye, towards({1.234f, 0, 4}), false), {2.23f, 0, 0}), 0, 0.011f);
-    EXPECT_EQ(hung.by_m(eye, towards({90, 0, 4}), false), glm::vec3(5, 0, 0)) << "its end";
+    const auto hung_by = [&](const glm::vec3& at, bool upright) {
+        return hung.by_m(eye, towards(hung_m), towards(at), upright);
+    };
+    EXPECT_NEAR(glm::distance(hung_by({1.234f, 0, 4}, false), {2.23f, 0, 0}), 0, 0.011f);
+    EXPECT_EQ(hung_by({90, 0, 4}, false), glm::vec3(5, 0, 0)) << "its end";
     EXPECT_EQ(hung.words({2, 0, 0}), "2.00 m along truss_mid");
-    EXPECT_NEAR(glm::distance(free.by_m(eye, towards({1, 5, 4}), false), {2, 2, 0}), 0, 0.02f);
+    EXPECT_NEAR(glm::distance(free.by_m(eye, towards(free_m), towards({1, 5, 4}), false), {2, 2, 0}), 0,
+                0.02f);
     EXPECT_EQ(free.words({3, 4, 0}), "5.00 m");
-    EXPECT_NEAR(glm::distance(hung.by_m(eye, towards({-1, 0, 5.5f}), true), {0, 0, 1.5f}), 0, 0.02f);
+    EXPECT_NEAR(glm::distance(hung_by({-1, 0, 5.5f}, true), {0, 0, 1.5f}), 0, 0.02f);
     EXPECT_EQ(hung.words({0, 0, -1.5f}), "1.50 m down");
-    EXPECT_EQ(free.by_m(eye, {0, 1, 0}, false), glm::vec3(0)) << "never meets the level";
-    EXPECT_LE(glm::length(free.by_m(eye, glm::normalize(glm::vec3(0, 1, 0.021f)), false)), 100.1f);
+    EXPECT_EQ(free.by_m(eye, towards(free_m), {0, 1, 0}, false), glm::vec3(0)) << "never meets the level";
+    const glm::vec3 far = glm::normalize(glm::vec3(0, 1, 0.021f));
+    EXPECT_LE(glm::length(free.by_m(eye, towards(free_m), far, false)), 100.1f);
 }
 
 TEST(LampDrag, takes_others_along_as_far_as_all_of_them_hang) {
-    LampDrag drag({-1, 0, 4}, truss());
-    drag.take_along(LampDrag({2.5f, 0, 4}, truss()));
-    drag.take_along(LampDrag({3, 7, 4}, truss())); // hangs under nothing
-    const glm::vec3 eye(0, -10, 2);
-    EXPECT_EQ(drag.by_m(eye, glm::normalize(glm::vec3(90, 0, 4) - eye), false), glm::vec3(1.5f, 0, 0));
-    EXPECT_EQ(drag.by_m(eye, glm::normalize(glm::vec3(-90, 0, 4) - eye), false), glm::vec3(-3, 0, 0));
+    const glm::vec3 place_m(-1, 0, 4), eye(0, -10, 2);
+    LampDrag drag = drag_at(place_m);
+    drag.take_along(drag_at({2.5f, 0, 4}));
+    drag.take_along(drag_at({3, 7, 4})); // hangs under nothing
+    const auto by = [&](const glm::vec3& from, const glm::vec3& to) {
+        return drag.by_m(eye, glm::normalize(from - eye), glm::normalize(to - eye), false);
+    };
+    EXPECT_EQ(by(place_m, {90, 0, 4}), glm::vec3(1.5f, 0, 0));
+    EXPECT_EQ(by(place_m, {-90, 0, 4}), glm::vec3(-3, 0, 0));
+    EXPECT_EQ(by({-1.7f, 0, 4}, {90, 0, 4}), glm::vec3(1.5f, 0, 0)) << "taken hold of beside its lens";
+}
+
+TEST(LampDrag, a_head_whose_lens_is_far_below_its_truss_still_hangs_there) {
+    const glm::vec3 lens_m(-1, 0.4f, 3.3f), eye(0, -10, 2);
+    const LampDrag drag(lens_m, {-1, 0, 4.2f}, truss());
+    const glm::vec3 by =
+        drag.by_m(eye, glm::normalize(lens_m - eye), glm::normalize(glm::vec3(90, 0, 4) - eye), false);
+    EXPECT_EQ(by, glm::vec3(5, 0, 0));
 }
 
 TEST(Pointing, a_body_far_from_its_lamp_is_selected_when_the_engine_says_whose_it_is) {

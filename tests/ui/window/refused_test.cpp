@@ -120,6 +120,14 @@ TEST(Title, a_show_that_is_read_only_is_called_so) {
     EXPECT_TRUE(first.window.windowTitle().contains("(read only)"));
 }
 
+TEST(Title, a_window_that_is_closed_leaves_the_show_to_others_while_its_program_ends) {
+    Refused first;
+    ASSERT_TRUE(first.window.close());
+    Refused second(first.folder);
+    EXPECT_FALSE(second.window.windowTitle().contains("read only"))
+        << second.window.windowTitle().toStdString();
+}
+
 TEST(Title, a_plot_that_is_opened_as_it_is_cannot_be_written) {
     Link link;
     Window window{link, {.remembers = false, .width = 900, .height = 600}};
