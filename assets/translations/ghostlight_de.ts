@@ -7239,7 +7239,7 @@ Bitte den Namen des Ordners prüfen.</translation>
         <translation>das Fenster wurde geschlossen, bevor es fertig war</translation>
     </message>
     <message>
-        <source>is being opened under its new name, which takes a moment: nothing is changed</source>
+        <source>the show is being opened under its new name, which takes a moment: nothing is changed</source>
         <translation>wird unter dem neuen Namen geöffnet, das dauert einen Moment: nichts wird geändert</translation>
     </message>
     <message>
@@ -7651,6 +7651,10 @@ Bitte den Namen des Ordners prüfen.</translation>
     <message>
         <source>Palette &apos;%1&apos; stored: %2</source>
         <translation>Palette &apos;%1&apos; gespeichert: %2</translation>
+    </message>
+    <message>
+        <source>Palette &apos;%1&apos; stored for any head: %2</source>
+        <translation>Palette &apos;%1&apos; für alle Köpfe gespeichert: %2</translation>
     </message>
 </context>
 <context>

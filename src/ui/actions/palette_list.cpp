@@ -59,7 +59,10 @@ Result<void> PaletteList::store(scene::PaletteKind kind, const QString& name) {
         palette.values = first;
     else
         for (auto& [fixture, values] : own) palette.fixtures.insert_or_assign(fixture, std::move(values));
-    const QString what = translated("Undo", "Palette '%1' stored: %2").arg(name, names.join(", "));
+    const QString what =
+        (palette.fixtures.empty() ? translated("Undo", "Palette '%1' stored for any head: %2")
+                                  : translated("Undo", "Palette '%1' stored: %2"))
+            .arg(name, names.join(", "));
     if (!before.ok()) return edit(what, scene::add_palette(document_.text(), palette));
     return edit(what, scene::replace_palette(document_.text(), all(), *before, palette));
 }

@@ -799,7 +799,7 @@ constexpr const char* kSentences[] = {
     // what an action says that cannot be done
     QT_TRANSLATE_NOOP("Sentence", "no show is open"),
     QT_TRANSLATE_NOOP("Sentence",
-                      "is being opened under its new name, which takes a moment: nothing is changed"),
+                      "the show is being opened under its new name, which takes a moment: nothing is changed"),
     QT_TRANSLATE_NOOP("Sentence", "no fixture is selected"),
     QT_TRANSLATE_NOOP("Sentence", "no fixture is selected; Shift+R gives everything back"),
     QT_TRANSLATE_NOOP("Sentence",

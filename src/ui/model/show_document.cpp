@@ -190,7 +190,7 @@ Result<void> ShowDocument::check_editable() {
 Result<void> ShowDocument::why_not_editable() const {
     if (!app_.show()) return Error{"no show is open", ""};
     if (app_.is_opening_copy()) // the file before stays what it was
-        return Error{"is being opened under its new name, which takes a moment: nothing is changed", ""};
+        return Error{"the show is being opened under its new name, which takes a moment: nothing is changed", ""};
     if (file_.empty())
         return Error{"a plot that is opened as it is cannot be edited; make a show of it first (in a script: "
                      "import-plot)",

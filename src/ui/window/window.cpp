@@ -180,7 +180,7 @@ Window::Window(Link& link, const WindowOptions& options)
     });
     actions_.count_steps = [this] { return steps_; };
     actions_.on_done = [this](const Action& action, bool made_step) {
-        if (notice_) notice_->forget_refused();
+        forget_refused();
         say_done(action, made_step);
     };
     // Also where another show has none; what hands take is said once its step is in the undo list.
@@ -206,6 +206,7 @@ Window::Window(Link& link, const WindowOptions& options)
     connect(&app_, &AppModel::opened_show, this, [this] {
         show_title();
         if (app_.opened().is_edit) return;
+        forget_refused();
         plot_is_new_ = !app_.opened().again && !app_.show()->plot_file.empty();
         rail_->wait_for_show(false);
         transport_shown_ = true;

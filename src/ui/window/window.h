@@ -75,6 +75,7 @@ private:
     void say_step(const QString& what, std::function<void()> name = {});
     // Over the picture, too, where it was an edit; helps: an action that lets it be done.
     void say_refused(const Error& error, bool is_of_edit, const QString& helps = {});
+    void forget_refused();
     void show_title();
     void name_steps();
     void name_cameras();
@@ -112,6 +113,7 @@ private:
     bool plot_is_new_ = false; // its page was not looked at yet
     QString language_;         // for the next start; empty: the desktop's
     int step_said_ = -1;       // place in the undo list of what the toast offers to undo; -1: none
+    QString refused_;          // the last that was, in the status line
     bool had_hand_ = false;    // something was set by hand when it was last looked at
     FixturePanel* fixtures_ = nullptr;
     ProgrammerPanel* programmer_ = nullptr;

@@ -58,9 +58,16 @@ void Window::say_refused(const Error& error, bool is_of_edit, const QString& hel
     // Names of actions are words of scripts.
     const bool names_action = actions_.item(QString::fromStdString(error.where)) != nullptr;
     say(QString::fromStdString(names_action ? error.what : error.text()), 8000);
+    refused_ = statusBar()->currentMessage();
     if (!is_of_edit || !notice_) return;
     const QString what = said(error.what);
     if (!notice_->say_refused(what, helps)) toast_->say(what);
+}
+
+// What was refused is no news once something else is done.
+void Window::forget_refused() {
+    if (notice_) notice_->forget_refused();
+    if (!refused_.isEmpty() && statusBar()->currentMessage() == refused_) statusBar()->clearMessage();
 }
 
 // What else would show nothing.
