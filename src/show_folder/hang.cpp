@@ -17,11 +17,11 @@ constexpr float kLeastLength_m = 0.4f;
 constexpr float kLeastHeight_m = 0.03f; // the thinnest pipe that carries a lamp has 38 mm
 constexpr float kLower_m = 0.5f;        // below what hangs, is not what is meant
 constexpr float kGap_m = 0.3f;          // between pieces of one truss
-constexpr float kBeside_m = 0.05f;      // that they may lie beside or below each other
-constexpr float kAboveLamp_m = 0.6f;    // of a fixture's place: the underside of the bar that it hangs under
-constexpr float kBelowLamp_m = 0.3f;    // likewise: clamps reach round it
-constexpr float kBesideLamp_m = 0.5f;   // beyond the bar's own half width
-constexpr float kSameWay = 0.999f;      // cosine, 2.5 degrees
+constexpr float kBeside_m = 0.05f;    // that they may lie beside or below each other, or a lamp beyond an end
+constexpr float kAboveLamp_m = 0.6f;  // of a fixture's place: the underside of the bar that it hangs under
+constexpr float kBelowLamp_m = 0.3f;  // likewise: clamps reach round it
+constexpr float kBesideLamp_m = 0.5f; // beyond the bar's own half width
+constexpr float kSameWay = 0.999f;    // cosine, 2.5 degrees
 constexpr float kEnd = 0.1f; // of its length, at either end and in the middle: where a bow is measured
 constexpr float kLeastBow_m = 0.1f;
 constexpr float kBetween_m = 0.02f;  // two that hang side by side
@@ -227,8 +227,8 @@ std::optional<float> hangs_away_m(const Bar& bar, const glm::vec3& place_m) {
     const float length_m = bar.length_m();
     const float at_m = glm::dot(place_m - bar.from_m, way_of(bar));
     const glm::vec3 off = bar.place_m(at_m / length_m) - place_m;
-    if (at_m < 0 || at_m > length_m || off.z > kAboveLamp_m || off.z < -kBelowLamp_m - bar.height_m ||
-        std::hypot(off.x, off.y) > kBesideLamp_m + bar.across_m / 2)
+    if (at_m < -kBeside_m || at_m > length_m + kBeside_m || off.z > kAboveLamp_m ||
+        off.z < -kBelowLamp_m - bar.height_m || std::hypot(off.x, off.y) > kBesideLamp_m + bar.across_m / 2)
         return std::nullopt;
     return glm::length(off);
 }

@@ -75,10 +75,14 @@ glm::vec3 LampDrag::by_m(const glm::vec3& eye_m, const glm::vec3& from_way, cons
     const auto from = met_m(eye_m, from_way, upright), to = met_m(eye_m, way, upright);
     if (!from || !to) return glm::vec3(0);
     glm::vec3 by = *to - *from;
-    if (!upright && along_ != glm::vec3(0))
-        by = along_ * std::clamp(glm::dot(by, along_), low_m_, high_m_);
-    else if (glm::length(by) > kMost_m)
-        by *= kMost_m / glm::length(by);
+    if (!upright && along_ != glm::vec3(0)) { // whole centimetres that leave it on its truss
+        constexpr float kRounding_cm = 0.01f;
+        const float least_cm = std::ceil(low_m_ * 100 - kRounding_cm);
+        const float most_cm = std::floor(high_m_ * 100 + kRounding_cm);
+        const float cm = std::round(glm::dot(by, along_) * 100);
+        return glm::round(along_ * std::clamp(cm, std::min(least_cm, most_cm), most_cm) * 10.0f) / 1000.0f;
+    }
+    if (glm::length(by) > kMost_m) by *= kMost_m / glm::length(by);
     return glm::round(by * 100.0f) / 100.0f;
 }
 

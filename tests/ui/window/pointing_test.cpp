@@ -195,6 +195,25 @@ TEST(LampDrag, takes_others_along_as_far_as_all_of_them_hang) {
     EXPECT_EQ(by({-1.7f, 0, 4}, {90, 0, 4}), glm::vec3(1.5f, 0, 0)) << "taken hold of beside its lens";
 }
 
+TEST(LampDrag, from_one_end_of_a_truss_it_goes_to_the_other_and_not_beyond) {
+    std::vector<Object> whole = truss();
+    whole[0].bar = scene::Bar{{-8.0076f, 0, 4.2f}, {8.0076f, 0, 4.2f}, 0.4f, 0.4f};
+    const glm::vec3 eye(0, -10, 2);
+    glm::vec3 place_m(0, 0, 4.2f);
+    for (const float side : {-90.0f, 90.0f, -90.0f, 90.0f}) {
+        const LampDrag drag(place_m, place_m, whole);
+        place_m += drag.by_m(eye, glm::normalize(place_m - eye),
+                             glm::normalize(glm::vec3(side, 0, 4.2f) - eye), false);
+        EXPECT_NEAR(std::abs(place_m.x), 8, 0.02f);
+        EXPECT_LE(std::abs(place_m.x), 8.0077f) << "on it";
+    }
+    // As the version before left them.
+    const LampDrag past({-8.01f, 0, 4.2f}, {-8.01f, 0, 4.2f}, whole);
+    const glm::vec3 by = past.by_m(eye, glm::normalize(glm::vec3(-8.01f, 0, 4.2f) - eye),
+                                   glm::normalize(glm::vec3(90, 0, 4.2f) - eye), false);
+    EXPECT_NEAR(by.x, 16.01f, 0.011f);
+}
+
 TEST(LampDrag, a_head_whose_lens_is_far_below_its_truss_still_hangs_there) {
     const glm::vec3 lens_m(-1, 0.4f, 3.3f), eye(0, -10, 2);
     const LampDrag drag(lens_m, {-1, 0, 4.2f}, truss());
