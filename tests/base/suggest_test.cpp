@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "base/suggest.h"
 
-#include <chrono>
+#include <ctime>
 #include <gtest/gtest.h>
 #include <vector>
 
@@ -20,11 +20,10 @@ TEST(Suggest, many_words_for_many_names_take_no_time) {
     for (int k = 0; k < 60'000; ++k) names.push_back(std::string(55, 'a') + std::to_string(k) + ".gdtf");
     const std::string wanted(60, 'b');
     Suggestions suggestions;
-    const auto begun = std::chrono::steady_clock::now();
+    const std::clock_t begun = std::clock(); // of the processor: without a budget it is hours
     EXPECT_NE(suggestions.did_you_mean(names[7] + "x", std::span(names).first(100)), "");
     for (int k = 0; k < 60'000; ++k) EXPECT_EQ(suggestions.did_you_mean(wanted, names), "");
-    const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begun;
-    EXPECT_LT(took.count(), 5.0);
+    EXPECT_LT(static_cast<double>(std::clock() - begun) / CLOCKS_PER_SEC, 30.0);
 }
 
 } // namespace

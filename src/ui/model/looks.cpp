@@ -95,6 +95,7 @@ void Looks::publish() {
 void Looks::read() {
     file_ = scene::looks_file(*app_.show());
     last_.clear();
+    seen_.clear();
     const QStringList watched = watcher_.files() + watcher_.directories();
     if (!watched.isEmpty()) watcher_.removePaths(watched);
     if (const auto folder = file_.parent_path(); !folder.empty())
@@ -236,7 +237,10 @@ Result<void> Looks::store_as_it_shines(const std::string& name) {
         if (programmer.levels.empty()) programmer.levels = fixture::levels_of(fixture.patch(), levels);
         look.fixtures[fixture.name] = std::move(programmer);
     }
-    return put_in(std::move(look));
+    TRY_VOID(put_in(std::move(look)));
+    seen_ = name;
+    hands_of_seen_ = app_.look();
+    return {};
 }
 
 Result<void> Looks::recall(const std::string& name, double seconds) {
@@ -313,6 +317,11 @@ void Looks::rename_fixtures(const std::map<std::string, std::string>& renamed) {
     if (const Result<void> done = edit(translated("Undo", "Name"), std::move(after)); !done.ok())
         Q_EMIT app_.failed(
             translated("Notice", "Looks keep the old names of fixtures: %1").arg(said(done.error().text())));
+}
+
+std::string Looks::meant() const {
+    const bool is_seen = scene::find_look(looks_, seen_).ok() && app_.show() && app_.look() == hands_of_seen_;
+    return is_seen ? seen_ : current();
 }
 
 std::string Looks::current() const {

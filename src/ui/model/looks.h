@@ -31,6 +31,10 @@ public:
     // The one that was stored or recalled last, while nothing was changed by hand since; empty: none.
     std::string current() const;
 
+    // What is meant by who asks for the look of this moment: one that was stored as it shines, until hands or
+    // another look change it; else the current one.
+    std::string meant() const;
+
     // Whether anything is set by hand.
     bool can_store() const;
     // All that is set by hand; under a name that is there it replaces that one, and keeps its seconds.
@@ -78,6 +82,8 @@ private:
     std::string known_;  // text of the file as it was read or written here
     std::string damage_; // why it is not written; empty: it can be
     std::string last_;   // name
+    std::string seen_;   // name of the one that was stored last as it shines
+    Look hands_of_seen_; // then
     QFileSystemWatcher watcher_;
 };
 

@@ -130,7 +130,7 @@ CuePanel::CuePanel(AppModel& app, CueList& cues, Looks& looks, Actions& actions,
                    translated("Cues", "A cue of the look that was recalled or stored last, or of this "
                                       "moment of the recording"),
                    [this] {
-                       const QString of = QString::fromStdString(looks_.current());
+                       const QString of = QString::fromStdString(looks_.meant());
                        return "cue-add \"\" " + quoted(of);
                    });
     remove_ = add_button(translated("Cues", "Remove"), translated("Cues", "Can be undone"),

@@ -3,8 +3,10 @@
 
 #include <QAbstractButton>
 #include <QApplication>
+#include <QCheckBox>
 #include <QComboBox>
 #include <QKeyEvent>
+#include <QRadioButton>
 
 #include <utility>
 
@@ -44,7 +46,8 @@ void PopupKeys::follow_focus(QObject* object, const QEvent& event) {
 bool PopupKeys::presses(const QObject* object, const QKeyEvent& key) const {
     if (!reached_ || object != reached_) return false;
     const bool is_space = key.key() == Qt::Key_Space && key.modifiers() == Qt::NoModifier;
-    return is_space || (is_return(key) && !reached_->isCheckable());
+    const bool is_box = qobject_cast<const QCheckBox*>(object) || qobject_cast<const QRadioButton*>(object);
+    return is_space || (is_return(key) && !is_box);
 }
 
 // Qt sends ShortcutOverride, then either Shortcut or KeyPress.

@@ -252,6 +252,10 @@ TEST(UiLooks, what_is_seen_is_stored_whole_and_hands_win) {
     for (std::size_t k = 0; k < second.levels.size(); ++k) EXPECT_EQ(second.levels[k], (50 + k) % 251);
     EXPECT_FALSE(second.intensity);
     EXPECT_EQ(fixtures.at(show->fixtures[2].name).intensity, 0.25f);
+    EXPECT_EQ(bench.looks.current(), "") << "hands hold something else";
+    EXPECT_EQ(bench.looks.meant(), "Seen") << "of a cue that is added now";
+    bench.set(2, 0.5f);
+    EXPECT_EQ(bench.looks.meant(), "");
     ASSERT_TRUE(bench.looks.recall("Seen", 0).ok());
     EXPECT_EQ(bench.app.request().look.fixtures.at(1), second);
 }

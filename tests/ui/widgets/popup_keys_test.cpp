@@ -87,6 +87,17 @@ TEST(PopupKeys, space_is_the_windows_where_the_mouse_pressed_a_button) {
     EXPECT_EQ(pressed.count, 0);
 }
 
+TEST(PopupKeys, a_button_that_stays_down_is_pressed_by_both) {
+    QPushButton dark("Dark");
+    dark.setCheckable(true);
+    Pressed pressed(dark);
+    pressed.reach(Qt::TabFocusReason);
+    EXPECT_TRUE(pressed.press(Qt::Key_Return));
+    EXPECT_TRUE(dark.isChecked());
+    EXPECT_TRUE(pressed.press(Qt::Key_Space));
+    EXPECT_FALSE(dark.isChecked());
+}
+
 TEST(PopupKeys, a_switch_is_turned_by_space_alone) {
     QCheckBox box("Follow");
     Pressed pressed(box);
