@@ -5243,8 +5243,8 @@ Bitte den Namen des Ordners prüfen.</translation>
         <translation>Pixel von oben</translation>
     </message>
     <message>
-        <source>number of seconds, &apos;opened&apos;, &apos;settled&apos;, &apos;saved&apos; or &apos;jobs&apos;</source>
-        <translation>Zahl von Sekunden, &apos;opened&apos;, &apos;settled&apos;, &apos;saved&apos; oder &apos;jobs&apos;</translation>
+        <source>number of seconds, &apos;opened&apos;, &apos;picture&apos;, &apos;settled&apos;, &apos;saved&apos; or &apos;jobs&apos;</source>
+        <translation>Zahl von Sekunden, &apos;opened&apos;, &apos;picture&apos;, &apos;settled&apos;, &apos;saved&apos; oder &apos;jobs&apos;</translation>
     </message>
     <message>
         <source>there is no hazer &apos;%1&apos;; the show has %2</source>

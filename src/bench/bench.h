@@ -40,6 +40,7 @@ struct BenchOptions {
     // Of the table shaders: a device that they are compiled for, where that is not the one that draws.
     std::string compile_for;
     std::uint32_t lights_per_dispatch = 0; // likewise, render::Settings
+    std::string plot;                      // of the table window: a plot that is opened, too; empty: none
     bool power = false; // of the table bounce: light by order, against particles, instead of the table
 };
 

@@ -86,6 +86,10 @@ void add_bench(CLI::App& app, int& exit_code) {
         ->add_option("--pictures", a->options.pictures,
                      "with pictures or moments: a folder that they are written into")
         ->type_name("FOLDER");
+    command
+        ->add_option("--plot", a->options.plot,
+                     "with window: a plot (MVR) that is opened, too, without a desk")
+        ->type_name("FILE");
     command->add_option("--device", a->options.device, "Vulkan device: part of its name, or its number")
         ->type_name("NAME");
     command->add_flag("--json", a->json, "one line of JSON per row");
@@ -106,6 +110,11 @@ void add_bench(CLI::App& app, int& exit_code) {
         if (!a->options.pictures.empty() && a->table != "pictures" && a->table != "moments") {
             log_error("--pictures: belongs to the tables pictures and moments: ghostlight bench moments "
                       "--pictures moments");
+            exit_code = 2;
+            return;
+        }
+        if (!a->options.plot.empty() && a->table != "window") {
+            log_error("--plot: belongs to the table window: ghostlight bench window --plot tour.mvr");
             exit_code = 2;
             return;
         }

@@ -155,6 +155,8 @@ class FirstMinutes(unittest.TestCase):
             self.assertGreater(changed(window.picture("lit"), dark), 0.1)
             self.assertNotIn("stay dark", window.state()["toast"])
             window.do("intensity 0", 'select "Head 1"')
+            window.until(lambda state: "hands have it so: its intensity is at 0 %" in state["explained"].get("why", ""))
+            window.do("release")
             window.until(lambda state: "hands alone light it" in state["explained"].get("why", ""))
         finally:
             self.assertEqual(window.close(), 0)

@@ -5,6 +5,7 @@
 #include "bench/bench.h"
 #include "bench/festival.h"
 #include "bench/window/private/loaded_window.h"
+#include "bench/window/private/window_opening.h"
 #include "bench/window/window_tables.h"
 
 #include "base/memory.h"
@@ -85,6 +86,8 @@ Result<void> measure(const BenchOptions& options, const Work& work, const BenchS
                    {"packet_max_ms", state_number(state, kPackets, "max")},
                    {"window_p50_ms", state_number(state, "window_ms", "p50")},
                    {"window_p99_ms", state_number(state, "window_ms", "p99")},
+                   {"picture_share", picture_share(state)},
+                   {"loop_p99_ms", state_number(state, kLoop, "p99")},
                    {"loop_max_ms", state_number(state, kLoop, "max")},
                    {"loop_max_opening_ms", state_number(opened, kLoop, "max")},
                    {"draw_p50_ms", state_number(state, "draws_ms", "p50")},
@@ -100,6 +103,7 @@ Result<void> measure(const BenchOptions& options, const Work& work, const BenchS
 
 Result<void> bench_window(const BenchOptions& options, const BenchSink& sink) {
     if (options.soak_seconds > 0) return window_soak(options, sink);
+    TRY_VOID(window_opening(options, sink));
     TRY_VOID(measure(options, {"free camera", "camera 1\nbaked off\n", ""}, sink));
     constexpr scene::BounceDetail kBounce = scene::BounceDetail::normal;
     TRY_VOID(make_links(options, kBounce));

@@ -65,8 +65,11 @@ std::uint16_t own_port() {
 Result<bool> run_loaded_window(const BenchOptions& options, const LoadedWindow& load) {
     Report report;
     TRY(const scene::Show show, open_show(options.show, false, true, report));
-    if (show.recording.empty()) return Error{"has no recording to send", show.file.string()};
-    TRY(dmx::Recording recording, dmx::read_recording(show.recording));
+    std::optional<dmx::Recording> recording;
+    if (load.has_desk) {
+        if (show.recording.empty()) return Error{"has no recording to send", show.file.string()};
+        TRY(recording, dmx::read_recording(show.recording));
+    }
     const fs::path script = bench_file(".txt");
     TRY_VOID(write_file_atomic(script, load.script));
     EngineOptions engine;
@@ -97,7 +100,8 @@ Result<bool> run_loaded_window(const BenchOptions& options, const LoadedWindow& 
     window.begin = [&] { return std::make_shared<Engine>(link, engine); };
     Result<void> done;
     {
-        const Desk desk(std::move(sender), dmx::Player(std::move(recording)));
+        std::optional<Desk> desk;
+        if (recording) desk.emplace(std::move(sender), dmx::Player(std::move(*recording)));
         done = ui::open_window(link, window);
     }
     std::error_code code;
@@ -111,6 +115,12 @@ Result<nlohmann::json> take_state(const fs::path& file) {
     std::error_code code;
     fs::remove(file, code);
     return read_json(text, file.string(), {.bytes = kMostStateBytes, .values = kMostStateBytes});
+}
+
+double picture_share(const nlohmann::json& state) {
+    const nlohmann::json view = state.value("view", nlohmann::json::array());
+    if (view.size() != 4) return std::nan("");
+    return view[2].get<double>() * view[3].get<double>() / (LoadedWindow::kWidth * LoadedWindow::kHeight);
 }
 
 double state_number(const nlohmann::json& state, const char* group, const char* name) {

@@ -21,7 +21,8 @@ std::optional<double> memory_growth_mb(std::span<const MemoryRow> rows, std::siz
     for (const MemoryRow& late : after.subspan(half)) {
         std::vector<double> before_mb;
         for (const MemoryRow& early : after.first(half))
-            if (std::abs(early.device_mb - late.device_mb) <= kAlike_mb) before_mb.push_back(early.process_mb);
+            if (std::abs(early.device_mb - late.device_mb) <= kAlike_mb)
+                before_mb.push_back(early.process_mb);
         if (!before_mb.empty()) grown_mb.push_back(late.process_mb - median(before_mb));
     }
     if (grown_mb.empty()) return std::nullopt;

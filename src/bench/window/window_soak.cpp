@@ -74,8 +74,8 @@ Result<void> window_soak(const BenchOptions& options, const BenchSink& sink) {
         progress.update(std::min(passed_s() / options.soak_seconds, 1.0), passed_s(), "");
         const auto state = take_state(outcome);
         if (!state.ok()) return; // not yet
-        memory.push_back({static_cast<double>(used_memory_bytes()) * 1e-6,
-                          state_number(*state, "picture", "device_mb")});
+        memory.push_back(
+            {static_cast<double>(used_memory_bytes()) * 1e-6, state_number(*state, "picture", "device_mb")});
         if (passed_s() < std::min(kSoakWarm_s, options.soak_seconds / 3)) warm_rows = memory.size();
         const double packets = state_number(*state, "packet_to_window_ms", "count"),
                      p99_ms = state_number(*state, "packet_to_window_ms", "p99");
@@ -124,9 +124,9 @@ Result<void> window_soak(const BenchOptions& options, const BenchSink& sink) {
     sink(row);
     if (!all_heard) return Error{"there was a minute in which no packet was seen", "soak"};
     if (!flat)
-        return Error{"memory grew by " + std::to_string(*growth_mb) + " MB in half of the time after the first " +
-                         std::to_string(warm_rows) + " minutes, expected " +
-                         std::to_string(kMostWindowGrowth_mb) + " at most",
+        return Error{"memory grew by " + std::to_string(*growth_mb) +
+                         " MB in half of the time after the first " + std::to_string(warm_rows) +
+                         " minutes, expected " + std::to_string(kMostWindowGrowth_mb) + " at most",
                      "soak"};
     return {};
 }

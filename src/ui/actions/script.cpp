@@ -95,6 +95,11 @@ Result<bool> Script::is_over(const QStringList& words) {
         if (waited_s < kLongestWait_s) return false;
         return Error{"a quarter of an hour went by without it", "wait " + what.toStdString()};
     }
+    if (what == "picture") {
+        if (app_.picture().image && !app_.is_opening()) return true;
+        if (waited_s < kLongestWait_s) return false;
+        return Error{"a quarter of an hour went by without it", "wait picture"};
+    }
     if (what == "jobs") return !app_.jobs().is_busy();
     if (what == "saved") {
         if (app_.saved() == app_.request().save_frame.number) return true;
@@ -102,7 +107,7 @@ Result<bool> Script::is_over(const QStringList& words) {
         return Error{"a quarter of an hour went by without it", "wait saved"};
     }
     TRY(const double wanted_s,
-        number_of(words, 1, "number of seconds, 'opened', 'settled', 'saved' or 'jobs'", 0, 3600));
+        number_of(words, 1, "number of seconds, 'opened', 'picture', 'settled', 'saved' or 'jobs'", 0, 3600));
     return waited_s >= wanted_s;
 }
 

@@ -1,9 +1,9 @@
 #pragma once
 // SPDX-License-Identifier: Apache-2.0
 // Script: lines of actions, done one after the other, as a test or another program wants them
-// (docs/guide/window.md). Beside the actions: "wait SECONDS", "wait opened", "wait settled", "wait saved",
-// "wait jobs". Blank lines and lines that begin with # are left out. RemoteControl takes the same lines from
-// a local socket and answers each with "ok" or "error: ...". Window thread.
+// (docs/guide/window.md). Beside the actions: "wait SECONDS", "wait opened", "wait picture", "wait settled",
+// "wait saved", "wait jobs". Blank lines and lines that begin with # are left out. RemoteControl takes the
+// same lines from a local socket and answers each with "ok" or "error: ...". Window thread.
 
 #include "ui/actions/actions.h"
 #include "ui/model/app_model.h"

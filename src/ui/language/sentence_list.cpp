@@ -853,7 +853,7 @@ constexpr const char* kSentences[] = {
     QT_TRANSLATE_NOOP("Sentence", "largest value"),
     QT_TRANSLATE_NOOP("Sentence", "pixel from the left"),
     QT_TRANSLATE_NOOP("Sentence", "pixel from the top"),
-    QT_TRANSLATE_NOOP("Sentence", "number of seconds, 'opened', 'settled', 'saved' or 'jobs'"),
+    QT_TRANSLATE_NOOP("Sentence", "number of seconds, 'opened', 'picture', 'settled', 'saved' or 'jobs'"),
     QT_TRANSLATE_NOOP("Sentence", "there is no hazer '%1'; the show has %2"),
     QT_TRANSLATE_NOOP("Sentence", "hazer %1: expected %2 number, not %3"),
     QT_TRANSLATE_NOOP("Sentence", "hazer %1: expected %2 numbers, not %3"),

@@ -21,6 +21,7 @@ struct LoadedWindow {
 
     std::string script; // lines of docs/guide/window.md; it begins with "wait opened" and ends with "quit"
     std::optional<scene::BounceDetail> bounce; // instead of the show's
+    bool has_desk = true;                      // false: nothing is sent, and the show needs no recording
     std::function<void()> on_tick;             // ten times a second on the window's thread; may be empty
 };
 
@@ -29,6 +30,9 @@ Result<bool> run_loaded_window(const BenchOptions& options, const LoadedWindow& 
 
 // What the line "state FILE" wrote; the file goes. Error: there is none, or it is not whole yet.
 Result<nlohmann::json> take_state(const std::filesystem::path& file);
+
+// How much of the window is picture, panels and bars taken off.
+double picture_share(const nlohmann::json& state);
 
 // A number of the state; not a number where it is not there.
 double state_number(const nlohmann::json& state, const char* group, const char* name);
