@@ -798,8 +798,8 @@ constexpr const char* kSentences[] = {
     QT_TRANSLATE_NOOP("Sentence", "rendering: %1"),
     // what an action says that cannot be done
     QT_TRANSLATE_NOOP("Sentence", "no show is open"),
-    QT_TRANSLATE_NOOP("Sentence",
-                      "the show is being opened under its new name, which takes a moment: nothing is changed"),
+    QT_TRANSLATE_NOOP(
+        "Sentence", "the show is being opened under its new name, which takes a moment: nothing is changed"),
     QT_TRANSLATE_NOOP("Sentence", "no fixture is selected"),
     QT_TRANSLATE_NOOP("Sentence", "no fixture is selected; Shift+R gives everything back"),
     QT_TRANSLATE_NOOP("Sentence",
