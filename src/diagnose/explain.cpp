@@ -293,10 +293,10 @@ Explanation Explainer::explain(std::size_t index, int asked_beam) const {
     result.footprint = patch.mode_of().footprint;
     result.channels = channel_facts(patch, fixture::read_channels(patch, levels_));
     const fixture::Programmer* const hand = input_.rig.by_hand(index);
-    const std::vector<ChannelFacts> held =
-        hand && hand->sets_levels()
-            ? channel_facts(patch, fixture::read_levels(patch, levels_by_hand(*hand, patch, levels_)))
-            : result.channels;
+    std::vector<ChannelFacts> of_hand; // what hands have channels at, where they hold any
+    if (hand && hand->sets_levels())
+        of_hand = channel_facts(patch, fixture::read_levels(patch, levels_by_hand(*hand, patch, levels_)));
+    const std::vector<ChannelFacts>& held = of_hand.empty() ? result.channels : of_hand;
     result.universes = universe_facts(input_, result.channels);
     result.looked =
         input_.stage != nullptr && !input_.stage->instances.empty() && input_.first_hit != nullptr;

@@ -2,6 +2,7 @@
 // The window as somebody opens it who has no desk yet: how long until the show is there, its first picture,
 // and the picture with all its pixels and shadows.
 #include "bench/window/private/window_opening.h"
+
 #include "base/interrupt.h"
 #include "bench/festival.h"
 #include "bench/window/private/loaded_window.h"
@@ -35,8 +36,8 @@ Result<void> measure(const BenchOptions& options, const std::string& name, const
     row.figures = {{"opened_s", after_s(opened)},
                    {"first_picture_s", after_s(first)},
                    {"whole_picture_s", after_s(whole)}};
-    TRY(const nlohmann::json begin, take_state(opened));
-    TRY(const nlohmann::json middle, take_state(first));
+    TRY_VOID(take_state(opened)); // the file goes
+    TRY_VOID(take_state(first));
     TRY(const nlohmann::json end, take_state(whole));
     const auto camera = end["picture"]["camera"];
     row.figures.insert(row.figures.end(), {{"width", camera.value("width", 0.0)},
