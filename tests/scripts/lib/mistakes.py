@@ -222,7 +222,7 @@ MISTAKES = [
     ("firewall_later", "a firewall of ours begins to drop what came", {"once": True, "send": [sacn(to="10.93.0.2")], "firewall_after_s": 5}, "lost",
      ["nothing comes for universe 1 any more", "firewall"]),
     ("cut", "packets that are cut on the way", {"send": [sacn(cut=100)]}, "wrong_length", ["more levels", "universe 1"]),
-    ("loss", "every tenth packet gets lost: a bad cable, Wi-Fi", {"send": [sacn(loses=10)]}, "packets_lost", ["are missing", "Wi-Fi"]),
+    ("loss", "every tenth packet gets lost: a bad cable, Wi-Fi", {"send": [sacn(loses=10)]}, "packets_lost", ["missing: lost by", "Wi-Fi"]),
     ("port_shared", "another program of ours has the port of Art-Net, and the desk sends sACN elsewhere",
      {"send": SILENT, "other": (6454, True)}, "port_shared", ["6454", "only the one started last"]),
     ("same_host", "the desk runs on this machine and its multicast does not come back", {"send": SILENT, "other": (5568, True)}, "same_host",
