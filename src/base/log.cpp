@@ -15,6 +15,7 @@ void print(LogLevel level, const char* prefix, const std::string& text) {
     if (level < g_level.load(std::memory_order_relaxed)) return;
     const std::string line =
         prefix + one_line(text) + "\n"; // one write, so lines of several threads stay whole
+    std::fflush(stdout); // what was printed before comes before, where both go into one pipe
     std::fwrite(line.data(), 1, line.size(), stderr);
 }
 

@@ -27,10 +27,20 @@ Error stopped() {
     return Error{"interrupted; the rows above are whole", ""};
 }
 
-render::Settings haze_settings(Beams beams, int march_steps, bool surfaces) {
+// How a light's haze is found.
+struct Way {
+    Beams beams = Beams::gate;
+    int samples = 0;   // of march and cone; 0: what the light has
+    bool grid = false; // of gate: as the window draws what moves (render/haze/grid_pass.h)
+
+    auto operator<=>(const Way&) const = default;
+};
+
+render::Settings haze_settings(const Way& way, bool surfaces) {
     render::Settings settings = bench_settings();
-    settings.beams.beams = beams;
-    settings.beams.march_steps = march_steps;
+    settings.beams.beams = way.beams;
+    settings.beams.march_steps = way.samples;
+    settings.beams.grid = way.grid;
     settings.surfaces = surfaces;
     settings.reuse = false; // a light that stands still is drawn all the same
     settings.image_memory_bytes = 0;
@@ -57,22 +67,20 @@ public:
     HazeDrawer(const gpu::Device& device, const BenchStages& stages)
         : device_(device), stages_(stages), gobos_(bench_gobos()) {}
 
-    // samples: of march and cone; 0: what the light has.
-    image::ImageF picture(Beams beams, const shared::Light& light, int samples) {
-        render::Relighter& relighter = relighter_of(beams, samples);
-        relighter.draw({with_samples(light, samples)});
+    image::ImageF picture(const Way& way, const shared::Light& light) {
+        render::Relighter& relighter = relighter_of(way);
+        relighter.draw({with_samples(light, way.samples)});
         return relighter.frame();
     }
     // A draw of haze less a draw of nothing: what haze adds to a frame, on any device's clock.
-    double haze_time_ms(Beams beams, const shared::Light& light, int samples, int frames) {
+    double haze_time_ms(const Way& way, const shared::Light& light, int frames) {
         if (!nothing_) {
-            render::Settings settings = haze_settings(Beams::gate, 1, false);
+            render::Settings settings = haze_settings({Beams::gate, 1}, false);
             settings.air = false;
             nothing_ = std::make_unique<render::Relighter>(device_, stages_.g_buffer(), &stages_.distances(),
                                                            gobos_, 1, settings);
         }
-        const double with_ms =
-            draw_time_ms(relighter_of(beams, samples), with_samples(light, samples), frames);
+        const double with_ms = draw_time_ms(relighter_of(way), with_samples(light, way.samples), frames);
         return std::max(with_ms - draw_time_ms(*nothing_, light, frames), 0.0);
     }
 
@@ -81,18 +89,23 @@ private:
         if (samples > 0) light.haze_samples = static_cast<std::uint32_t>(samples);
         return light;
     }
-    render::Relighter& relighter_of(Beams beams, int samples) {
-        std::unique_ptr<render::Relighter>& one = made_[{beams, beams == Beams::march ? samples : 0}];
-        if (!one)
+    render::Relighter& relighter_of(const Way& way) {
+        std::unique_ptr<render::Relighter>& one =
+            made_[{way.beams, way.beams == Beams::march ? way.samples : 0, way.grid}];
+        if (!one) {
             one = std::make_unique<render::Relighter>(device_, stages_.g_buffer(), &stages_.distances(),
-                                                      gobos_, 1, haze_settings(beams, samples, false));
+                                                      gobos_, 1, haze_settings(way, false));
+            render::HazeQuality quality;
+            quality.grid = way.grid;
+            one->set_quality(quality);
+        }
         return *one;
     }
 
     const gpu::Device& device_;
     const BenchStages& stages_;
     const shared::Gobos gobos_;
-    std::map<std::pair<Beams, int>, std::unique_ptr<render::Relighter>> made_;
+    std::map<Way, std::unique_ptr<render::Relighter>> made_;
     std::unique_ptr<render::Relighter> nothing_;
 };
 
@@ -107,10 +120,10 @@ Result<EqualError> equal_error(HazeDrawer& drawer, Beams beams, const shared::Li
     for (int samples = 1; samples <= kMostSteps; samples *= 2) {
         if (interrupted()) return stopped();
         TRY(const Accuracy quality,
-            accuracy_of(drawer.picture(beams, light, samples), references.samples, references.counts));
+            accuracy_of(drawer.picture({beams, samples}, light), references.samples, references.counts));
         if (quality.psnr_db >= psnr_db)
             return EqualError{static_cast<double>(samples),
-                              drawer.haze_time_ms(beams, light, samples, frames)};
+                              drawer.haze_time_ms({beams, samples}, light, frames)};
     }
     return EqualError{};
 }
@@ -125,15 +138,15 @@ struct EqualTime {
 Result<EqualTime> equal_time(HazeDrawer& drawer, Beams beams, const shared::Light& light,
                              const References& references, double ms, int frames) {
     constexpr int kFew = 4, kMany = 64;
-    const double few_ms = drawer.haze_time_ms(beams, light, kFew, frames);
-    const double many_ms = drawer.haze_time_ms(beams, light, kMany, frames);
+    const double few_ms = drawer.haze_time_ms({beams, kFew}, light, frames);
+    const double many_ms = drawer.haze_time_ms({beams, kMany}, light, frames);
     const double sample_ms = std::max((many_ms - few_ms) / (kMany - kFew), 1e-6);
     const double samples = std::floor(kFew + (ms - few_ms) / sample_ms);
     if (samples < 1) return EqualTime{}; // not even one fits
     const int count = static_cast<int>(std::min(samples, double{kMostSteps}));
     TRY(const Accuracy quality,
-        accuracy_of(drawer.picture(beams, light, count), references.samples, references.counts));
-    return EqualTime{static_cast<double>(count), drawer.haze_time_ms(beams, light, count, frames),
+        accuracy_of(drawer.picture({beams, count}, light), references.samples, references.counts));
+    return EqualTime{static_cast<double>(count), drawer.haze_time_ms({beams, count}, light, frames),
                      quality.psnr_db};
 }
 
@@ -144,25 +157,32 @@ Result<void> integrators_of_view(BenchStages& stages, std::size_t index, HazeDra
     stages.look(index); // every draw draws its light anew (Settings::reuse)
     const std::string note = "256x144, haze only, no shadows in the air";
 
-    const double gate_ms = drawer.haze_time_ms(Beams::gate, view.light, 0, frames);
-    TRY(const Accuracy gate,
-        accuracy_of(drawer.picture(Beams::gate, view.light, 0), references.gate, references.counts));
-    sink({"integrators",
-          view.name + ": gate",
-          {{"samples", kNever},
-           {"ms", gate_ms},
-           {"psnr_db", gate.psnr_db},
-           {"bias_percent", gate.bias_percent},
-           {"compared_percent", gate.compared_percent}},
-          "256x144, haze only, with shadows in the air, maps of 2048 texels"});
+    const auto gate_row = [&](bool grid) -> Result<std::pair<Accuracy, double>> {
+        const Way way{Beams::gate, 0, grid};
+        const double ms = drawer.haze_time_ms(way, view.light, frames);
+        TRY(const Accuracy accuracy,
+            accuracy_of(drawer.picture(way, view.light), references.gate, references.counts));
+        sink({"integrators",
+              view.name + (grid ? ": gate, as it moves" : ": gate"),
+              {{"samples", kNever},
+               {"ms", ms},
+               {"psnr_db", accuracy.psnr_db},
+               {"bias_percent", accuracy.bias_percent},
+               {"compared_percent", accuracy.compared_percent}},
+              "256x144, haze only, with shadows in the air, maps of 2048 texels"});
+        return std::pair(accuracy, ms);
+    };
+    TRY(const auto gate_and_ms, gate_row(false));
+    const auto& [gate, gate_ms] = gate_and_ms;
+    TRY_VOID(gate_row(true));
 
     for (const Beams beams : {Beams::cone, Beams::march}) {
         if (interrupted()) return stopped();
         const int samples = beams == Beams::cone ? static_cast<int>(view.light.haze_samples)
                                                  : render::HazeIntegrator{}.march_steps;
-        const double ms = drawer.haze_time_ms(beams, view.light, samples, frames);
+        const double ms = drawer.haze_time_ms({beams, samples}, view.light, frames);
         TRY(const Accuracy quality,
-            accuracy_of(drawer.picture(beams, view.light, samples), references.samples, references.counts));
+            accuracy_of(drawer.picture({beams, samples}, view.light), references.samples, references.counts));
         TRY(const EqualError error, equal_error(drawer, beams, view.light, references, gate.psnr_db, frames));
         TRY(const EqualTime time, equal_time(drawer, beams, view.light, references, gate_ms, frames));
         sink({"integrators",
@@ -224,12 +244,12 @@ Result<void> bench_thesis(const BenchOptions& options, const BenchSink& sink) {
         if (interrupted()) return stopped();
         stages.look(0);
         render::Relighter relighter(*device, stages.g_buffer(), &stages.distances(), gobos, 1,
-                                    haze_settings(row.beams, row.steps, true));
+                                    haze_settings({row.beams, row.steps}, true));
         const double ms = draw_time_ms(relighter, view.light, options.frames);
         std::vector<double> moving; // the stage is drawn again in every frame, too
         for (int frame = 0; frame < std::min(options.frames, 10); ++frame) {
             const Clock::time_point start = Clock::now();
-            stages.look(0);
+            stages.look(0, 0.001f * static_cast<float>(frame + 1));
             relighter.forget();
             relighter.draw({view.light});
             moving.push_back(std::chrono::duration<double, std::milli>(Clock::now() - start).count());
@@ -237,10 +257,10 @@ Result<void> bench_thesis(const BenchOptions& options, const BenchSink& sink) {
         const int samples = row.beams == Beams::gate   ? 0
                             : row.beams == Beams::cone ? static_cast<int>(view.light.haze_samples)
                                                        : row.steps;
-        const double haze_ms = drawer.haze_time_ms(row.beams, view.light, samples, options.frames);
+        const double haze_ms = drawer.haze_time_ms({row.beams, samples}, view.light, options.frames);
         const bool gate = row.beams == Beams::gate;
         TRY(const Accuracy quality,
-            accuracy_of(drawer.picture(row.beams, view.light, samples),
+            accuracy_of(drawer.picture({row.beams, samples}, view.light),
                         gate ? references.gate : references.samples, references.counts));
         sink({"thesis",
               gate                       ? "gate"

@@ -310,8 +310,9 @@ BenchStages::BenchStages(const gpu::Device& device, std::vector<BenchView> views
     distances_ = std::make_unique<render::DistanceImages>(device, maps);
 }
 
-void BenchStages::look(std::size_t view) {
-    const scene::Camera& camera = views_[view].camera;
+void BenchStages::look(std::size_t view, float aside_m) {
+    scene::Camera camera = views_[view].camera;
+    camera.position_m.x += aside_m;
     g_buffer_.draw(*models_[view],
                    {scene::camera_to_world(camera), camera.fov_y_deg, camera.width, camera.height},
                    {vec3(0), bench_settings().haze});

@@ -45,8 +45,8 @@ class BenchStages {
 public:
     BenchStages(const gpu::Device& device, std::vector<BenchView> views, int map_side);
 
-    // Draws the G-buffer of a view; relighters made before must forget().
-    void look(std::size_t view);
+    // Draws the G-buffer of a view, from so far beside its camera; relighters made before must forget().
+    void look(std::size_t view, float aside_m = 0);
     const std::vector<BenchView>& views() const { return views_; }
     const bake::Tracer& tracer(std::size_t view) const { return *tracers_[view]; }
     const render::GBuffer& g_buffer() const { return g_buffer_; }

@@ -152,6 +152,8 @@ public:
             add_wall(index, object);
         else if (adds)
             add(object);
+        else if (const std::string name = clean(object.name); is_fixture(object) && !name.empty())
+            names_.take(name); // those behind it that are called the same keep their numbers
     }
 
     void finish(Report& report) {

@@ -13,6 +13,7 @@ constexpr float kPi = 3.14159265f;
 constexpr float kSteepest_rad = 1.5f; // 86 degrees: straight up there is no sideways
 constexpr float kMost_m = static_cast<float>(kMaxCoordinate_m);
 constexpr float kWidest_deg = 170;
+constexpr float kOverFloor_m = 0.05f; // the floor is z = 0
 
 struct Way {
     float around_rad = 0; // 0: along X
@@ -69,6 +70,10 @@ Camera orbited(const Camera& camera, float around_rad, float up_rad) {
     way.around_rad -= around_rad;
     Camera moved = camera;
     moved.position_m = camera.target_m - vector_of(way);
+    if (camera.position_m.z > 0 && moved.position_m.z < kOverFloor_m) {
+        way.up_rad = std::asin(std::clamp((camera.target_m.z - kOverFloor_m) / way.length_m, -1.0f, 1.0f));
+        moved.position_m = camera.target_m - vector_of(way);
+    }
     return moved;
 }
 

@@ -13,7 +13,8 @@ namespace ghost::scene {
 // The way of a camera between two others: smooth start and stop, share 0..1.
 Camera camera_between(const Camera& from, const Camera& to, float share);
 
-// Around what it looks at: positive turns the stage to the right, and down.
+// Around what it looks at: positive turns the stage to the right, and down. From over the floor not below it,
+// where all is black.
 Camera orbited(const Camera& camera, float around_rad, float up_rad);
 // About itself: positive looks to the left, and up.
 Camera turned(const Camera& camera, float left_rad, float up_rad);

@@ -77,6 +77,22 @@ TEST(PlotShow, WhatIsHiddenIsLeftOutWithWhatHangsOnIt) {
         << messages_of(report);
 }
 
+// Looks and palettes call fixtures by their names.
+TEST(PlotShow, OfFixturesOfOneNameTheOthersKeepTheirsWhereOneIsHidden) {
+    const fs::path folder = scratch("one_name");
+    write_mvr(folder / "plot.mvr", small_xml(fixture_xml(20, "Wash", kIdentity + "{0,0,0}", "") +
+                                             fixture_xml(21, "Wash", kIdentity + "{1000,0,0}", "") +
+                                             fixture_xml(22, "Wash", kIdentity + "{2000,0,0}", "")));
+    std::ofstream(folder / "show.toml")
+        << "[show]\nplot = \"plot.mvr\"\n[[change]]\nuuid = \"" << uuid(20) << "\"\nhidden = true\n";
+    Report report;
+    const Show show = opened(folder, report);
+    ASSERT_EQ(show.fixtures.size(), 2u);
+    EXPECT_EQ(show.fixtures[0].name, "Wash #2");
+    EXPECT_EQ(show.fixtures[0].uuid, uuid(21));
+    EXPECT_EQ(show.fixtures[1].name, "Wash #3");
+}
+
 TEST(PlotShow, TheShowFileChangesAndAdds) {
     const fs::path folder = scratch("changes");
     const std::string address = "<Addresses><Address break=\"0\">1</Address></Addresses>";

@@ -79,6 +79,17 @@ TEST(CameraMoves, orbit_keeps_the_target_and_the_distance) {
     EXPECT_GT(project(moved, near_m)->at.x, project(camera(), near_m)->at.x);
 }
 
+TEST(CameraMoves, orbit_stops_at_the_floor) {
+    Camera one = camera();
+    for (int i = 0; i < 20; ++i) one = orbited(one, 0.1f, -0.1f);
+    EXPECT_NEAR(one.position_m.z, 0.05f, 1e-3f);
+    EXPECT_NEAR(glm::distance(one.position_m, one.target_m),
+                glm::distance(camera().position_m, camera().target_m), 1e-2f);
+    Camera below = camera();
+    below.position_m.z = below.target_m.z = -3;
+    EXPECT_LT(orbited(below, 0, -0.1f).position_m.z, -3.0f) << "who is there has flown there";
+}
+
 TEST(CameraMoves, no_way_leads_over_the_head) {
     Camera one = camera();
     for (int i = 0; i < 100; ++i) one = orbited(one, 0, 0.3f);

@@ -7,6 +7,7 @@
 #include "render/geometry/private/detail_levels.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -20,6 +21,12 @@ namespace {
 constexpr float kMostError_px = 0.15f;     // of a coarser body: less than samples are apart
 constexpr std::uint64_t kMostOfLevels = 3; // indices of a mesh with all its levels of detail, by its own
 constexpr float kLeastVolume = 1e-18f;     // below, an instance is flat: the baker leaves it out too
+
+// Models differ in its upper half.
+std::uint64_t first_revision() {
+    static std::atomic<std::uint64_t> models = 0;
+    return ++models << 32;
+}
 
 bool placeable(const glm::mat4& m) {
     return image::is_finite(m) && std::abs(glm::determinant(glm::mat3(m))) > kLeastVolume;
@@ -79,7 +86,7 @@ std::vector<glm::vec4> make_tangents(const scene::Mesh& mesh) {
 
 StageModel::StageModel(const gpu::Device& device, const scene::Stage& stage, Report& report,
                        std::uint64_t texture_bytes, std::uint64_t mesh_bytes)
-    : device_(device) {
+    : device_(device), still_revision_(first_revision()) {
     add_textures(stage, report, texture_bytes);
     add_surfaces(stage);
     add_meshes(stage, report, mesh_bytes);

@@ -54,7 +54,7 @@ public:
     void mark_moving(std::size_t instance);
     bool has_moving() const { return !moving_.empty(); }
     // Another number whenever one of the other instances was hidden, shown, moved, lit or marked, or a
-    // material changed.
+    // material changed, and in every model.
     std::uint64_t still_revision() const { return still_revision_; }
 
     std::uint64_t memory_bytes() const;  // on the device
@@ -144,7 +144,7 @@ private:
     std::vector<Mesh> meshes_;
     std::vector<Instance> instances_;
     std::vector<std::size_t> moving_; // by alpha, mesh, instance
-    std::uint64_t still_revision_ = 0;
+    std::uint64_t still_revision_;
     std::vector<Surface> surfaces_;
     std::vector<gpu::Texture> textures_;                           // 0: white
     std::map<std::pair<int, TextureUse>, std::size_t> texture_of_; // by texture of the scene

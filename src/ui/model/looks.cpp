@@ -278,6 +278,7 @@ Result<void> Looks::rename(const std::string& name, const std::string& to) {
                   std::move(after),
                   [&] { Q_EMIT renamed(QString::fromStdString(name), QString::fromStdString(to)); }));
     if (last_ == name) last_ = to;
+    if (seen_ == name) seen_ = to;
     Q_EMIT changed();
     return {};
 }

@@ -10,11 +10,11 @@ LoopWatch::LoopWatch(QObject* parent) : QObject(parent) {
     beat_.setInterval(kBeat_ms);
     beat_.setTimerType(Qt::PreciseTimer);
     connect(&beat_, &QTimer::timeout, this, &LoopWatch::count);
-    since_.start();
     beat_.start();
 }
 
 void LoopWatch::count() {
+    if (!since_.isValid()) return since_.start();
     constexpr std::chrono::nanoseconds kBeat = std::chrono::milliseconds(kBeat_ms);
     const std::chrono::nanoseconds late = std::chrono::nanoseconds(since_.nsecsElapsed()) - kBeat;
     since_.start();

@@ -27,7 +27,7 @@ private:
 
     dmx::Latency busy_;
     QTimer beat_;
-    QElapsedTimer since_; // the last beat
+    QElapsedTimer since_; // the last beat; not valid before the first
 };
 
 } // namespace ghost::ui

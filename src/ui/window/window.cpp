@@ -135,8 +135,8 @@ Window::Window(Link& link, const WindowOptions& options)
     add_hang_action(actions_, app_, document_);
     auto* aiming = new Aiming(app_, actions_, this);
     add_aim_actions(actions_, app_, *aiming);
-    view_->on_aim = [this, aiming](const glm::vec2& place) {
-        if (const auto done = aiming->aim_through(place); !done.ok()) actions_.complain(done.error());
+    view_->on_aim = [aiming, edit_refused](const glm::vec2& place) {
+        if (const auto done = aiming->aim_through(place); !done.ok()) edit_refused(done.error());
     };
     view_->on_move = [this, edit_refused](const glm::vec3& by_m) {
         if (const auto done = PatchEdit(app_, document_).move_by(by_m); !done.ok())
@@ -232,6 +232,7 @@ Window::Window(Link& link, const WindowOptions& options)
     connect(&app_, &AppModel::picture_came, this, [this] {
         const QString supply = said(app_.picture().supply);
         if (supply != status_supply_->text()) status_supply_->setText(supply);
+        if (has_work_light() != actions_.item("work-light")->isChecked()) actions_.refresh();
     });
     connect(&app_, &AppModel::picture_saved, this, [this](const QString& error) {
         say(error.isEmpty() ? translated("Notice", "The picture is saved") : error, 8000);

@@ -422,6 +422,19 @@ TEST_F(GBufferTest, OtherSurroundingsNeedNoOtherSamples) {
     }
 }
 
+TEST_F(GBufferTest, AnotherModelFromTheSamePlaceIsDrawnAnew) {
+    scene::Stage stage = room();
+    Report report;
+    const StageModel empty(device(), stage, report);
+    add(stage, quad({-2, 2, -1}, {2.013f, 0, 0.3f}, {0, 0, 9}, 1));
+    const StageModel wall(device(), stage, report);
+    const scene::Camera camera = camera_at({0, -10, 3}, {0, 10, 3}, 40, 100, 75);
+    GBuffer buffer(device(), 100, 75);
+    buffer.draw(empty, pose_of(camera), {});
+    buffer.draw(wall, pose_of(camera), {});
+    EXPECT_EQ(read(buffer).base, drawn(stage, camera).base);
+}
+
 TEST_F(GBufferTest, TheSameCameraGivesTheSameBits) {
     scene::Stage stage = room();
     add(stage, quad({-2, 2, -1}, {2.013f, 0, 0.3f}, {0, 0, 9}, 1));

@@ -95,6 +95,19 @@ TEST(WindowActions, the_work_light_is_turned_on_and_off_while_light_is_measured)
     EXPECT_EQ(opened.request().work_light, WorkLight::on);
 }
 
+// It is the engine that turns it on, in a picture that comes later.
+TEST(WindowActions, the_entry_of_the_work_light_says_what_the_picture_shows) {
+    FourLamps opened;
+    for (const bool shines : {true, false, true}) {
+        Picture picture;
+        picture.has_work_light = shines;
+        opened.link.picture.put(picture);
+        opened.link.on_news();
+        settle();
+        EXPECT_EQ(opened.window.actions().item("work-light")->isChecked(), shines);
+    }
+}
+
 TEST(WindowActions, a_camera_whose_name_is_a_number_beyond_them_is_found) {
     FourLamps opened;
     Opened news = opened.window.app().opened();

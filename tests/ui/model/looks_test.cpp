@@ -254,9 +254,11 @@ TEST(UiLooks, what_is_seen_is_stored_whole_and_hands_win) {
     EXPECT_EQ(fixtures.at(show->fixtures[2].name).intensity, 0.25f);
     EXPECT_EQ(bench.looks.current(), "") << "hands hold something else";
     EXPECT_EQ(bench.looks.meant(), "Seen") << "of a cue that is added now";
+    ASSERT_TRUE(bench.looks.rename("Seen", "Chorus").ok()) << "as its name is typed once it is there";
+    EXPECT_EQ(bench.looks.meant(), "Chorus");
     bench.set(2, 0.5f);
     EXPECT_EQ(bench.looks.meant(), "");
-    ASSERT_TRUE(bench.looks.recall("Seen", 0).ok());
+    ASSERT_TRUE(bench.looks.recall("Chorus", 0).ok());
     EXPECT_EQ(bench.app.request().look.fixtures.at(1), second);
 }
 

@@ -19,5 +19,13 @@ TEST(LoopWatch, counts_what_blocks_and_not_what_waits) {
     EXPECT_GE(watch.busy().count(), 2u);
 }
 
+TEST(LoopWatch, what_comes_before_the_loop_runs_is_not_of_it) {
+    LoopWatch watch(nullptr);
+    std::this_thread::sleep_for(std::chrono::milliseconds(800));
+    wait_ms(200);
+    EXPECT_GE(watch.busy().count(), 1u);
+    EXPECT_LT(watch.busy().max_ms(), 600);
+}
+
 } // namespace
 } // namespace ghost::ui
