@@ -3,7 +3,7 @@
 """Draws the kinetic stage (tools/make_kinetic.py) while a mover goes through its places, and each place once more as a scene of its own in which
 nothing moves, and prints how far the pictures are apart, in dB.
 
-usage: kinetic_places.py BUILD [--mover Truss] [--places 10] [--size 640x360] [--lamps 8] [--least 45]
+usage: kinetic_places.py BUILD [--mover Truss] [--places 10] [--size 640x360] [--lamps 8] [--least 45] [--moving-maps device]
 
 Where things stand in the scenes that do not move is worked out in tools/kinetic/places.py. Exits 1 where a place is below --least.
 """
@@ -51,6 +51,7 @@ def main():
     parser.add_argument("--size", default="640x360")
     parser.add_argument("--lamps", type=int, default=8)
     parser.add_argument("--least", type=float, default=45.0, help="dB")
+    parser.add_argument("--moving-maps", choices=("processor", "device"), help="of the show that moves; of ghostlight render")
     given = parser.parse_args()
     program = given.build / "ghostlight"
     rig = stage.lamps(given.lamps)
@@ -61,7 +62,8 @@ def main():
             ways = [WAYS[mover](k / max(given.places - 1, 1)) for k in range(given.places)]
             travels = top / mover
             write(travels, rig, {}, [(float(k), values) for k, values in enumerate(ways)], True)
-            run(program, "render", travels, "--live", "--from", 0, "--to", given.places, "--fps", 1, "--size", given.size, "-o", travels / "at.exr", "--quiet")
+            by = ("--moving-maps", given.moving_maps) if given.moving_maps else ()
+            run(program, "render", travels, "--live", *by, "--from", 0, "--to", given.places, "--fps", 1, "--size", given.size, "-o", travels / "at.exr", "--quiet")
             for k, values in enumerate(ways):
                 stands = top / f"{mover} {k}"
                 write(stands, rig, values, [(0.0, {})], False)

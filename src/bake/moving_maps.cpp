@@ -63,8 +63,9 @@ MovingMaps::Cone MovingMaps::cone_of(const scene::Box& box, const glm::vec3& fro
     return {axis, std::acos(std::clamp(least, -1.0f, 1.0f)) + kTight};
 }
 
-MovingMaps::MovingMaps(const scene::Stage& stage, int size, const std::vector<glm::vec3>& places_m)
-    : stage_(stage), sight_(size), tracer_(stage), instances_(stage.instances.size()) {
+MovingMaps::MovingMaps(const scene::Stage& stage, int size, const std::vector<glm::vec3>& places_m, Made made)
+    : stage_(stage), sight_(size), instances_(stage.instances.size()) {
+    if (made == Made::here) tracer_.emplace(stage);
     add_blocks();
     for (const scene::Mesh& mesh : stage.meshes) {
         scene::Box& box = mesh_boxes_.emplace_back();
@@ -74,9 +75,9 @@ MovingMaps::MovingMaps(const scene::Stage& stage, int size, const std::vector<gl
     for (std::size_t k = 0; k < instances_.size(); ++k) {
         const scene::Instance& instance = stage.instances[k];
         instances_[k] = {instance.world, instance.shown, false, box_of(k, instance.world)};
-        if (!instance.shown) tracer_.move(k, instance.world, false);
+        if (!instance.shown && tracer_) tracer_->move(k, instance.world, false);
     }
-    tracer_.commit();
+    if (tracer_) tracer_->commit();
     for (const glm::vec3& place_m : places_m)
         maps_.push_back({place_m, std::vector<Texels>(blocks_.size(), Texels::blank), {}});
 }
@@ -146,13 +147,13 @@ MovingMaps::News MovingMaps::update(const std::vector<shared::Light>& lights) {
     for (std::size_t k = 0; k < instances_.size(); ++k) {
         Moved& moved = instances_[k];
         if (!std::exchange(moved.is_new, false)) continue;
-        tracer_.move(k, moved.world, moved.is_shown);
+        if (tracer_) tracer_->move(k, moved.world, moved.is_shown);
         has_moved = true;
         outdate(moved.box);
         moved.box = box_of(k, moved.world);
         outdate(moved.box);
     }
-    if (has_moved) tracer_.commit();
+    if (has_moved && tracer_) tracer_->commit();
 
     News news;
     std::map<std::size_t, std::vector<int>> wanted;
@@ -167,29 +168,35 @@ MovingMaps::News MovingMaps::update(const std::vector<shared::Light>& lights) {
             wanted[light.map - 1].push_back(static_cast<int>(b));
         }
     }
-    struct Task {
-        Map* map;
-        const Block* block;
-    };
-    std::vector<Task> tasks;
     for (auto& [index, blocks] : wanted) {
-        Map& map = maps_[index];
-        if (map.distance.empty()) map.distance.assign(sight_.directions().size(), scene::kNoSurface);
         for (const int block : blocks) {
             const Block& part = blocks_[static_cast<std::size_t>(block)];
-            tasks.push_back({&map, &part});
             news.rays +=
                 static_cast<std::uint64_t>(part.x1 - part.x0) * static_cast<std::uint64_t>(part.y1 - part.y0);
         }
         news.maps.push_back({index, std::move(blocks)});
     }
+    if (tracer_) trace(news);
+    return news;
+}
+
+void MovingMaps::trace(const News& news) {
+    struct Task {
+        Map* map;
+        const Block* block;
+    };
+    std::vector<Task> tasks;
+    for (const auto& [index, blocks] : news.maps) {
+        Map& map = maps_[index];
+        if (map.distance.empty()) map.distance.assign(sight_.directions().size(), scene::kNoSurface);
+        for (const int block : blocks) tasks.push_back({&map, &blocks_[static_cast<std::size_t>(block)]});
+    }
     tbb::parallel_for(std::size_t{0}, tasks.size(), [&](std::size_t k) {
         const Block& block = *tasks[k].block;
         Map& map = *tasks[k].map;
-        trace_distances(sight_, {block.x0, block.y0, block.x1, block.y1}, map.position_m, tracer_,
+        trace_distances(sight_, {block.x0, block.y0, block.x1, block.y1}, map.position_m, *tracer_,
                         map.distance, nullptr);
     });
-    return news;
 }
 
 } // namespace ghost::bake

@@ -4,6 +4,9 @@
 // move all the time. Nothing is on disk: a block of kDistanceBlock texels a side is traced when a beam looks
 // through it for the first time since its light, or something that may be seen through it, has moved. World
 // metres. One thread, which uses all cores; the stage must outlive it and must not change.
+//
+// Where somebody else makes them (render/haze/map_drawer.h), it says which blocks are wanted, and no ray is
+// traced.
 
 #include "bake/distance_sight.h"
 #include "rays/tracer.h"
@@ -14,14 +17,17 @@
 #include <cstddef>
 #include <cstdint>
 #include <glm/glm.hpp>
+#include <optional>
 #include <vector>
 
 namespace ghost::bake {
 
 class MovingMaps {
 public:
+    enum class Made { here, elsewhere };
     // places_m: of each map. Hidden objects of the stage stop nothing.
-    MovingMaps(const scene::Stage& stage, int size, const std::vector<glm::vec3>& places_m);
+    MovingMaps(const scene::Stage& stage, int size, const std::vector<glm::vec3>& places_m,
+               Made made = Made::here);
 
     // From the next update on.
     void move(std::size_t instance, const glm::mat4& world);
@@ -35,12 +41,13 @@ public:
     struct News {
         std::vector<Changed> maps;       // that have other texels
         bool is_seen_by_resting = false; // something moved before a light that may not have changed itself
-        std::uint64_t rays = 0;
+        std::uint64_t rays = 0;          // texels made
     };
     // What these lights need; Light::map says which is whose.
     News update(const std::vector<shared::Light>& lights);
 
-    // Where nothing was needed yet: kNoSurface.
+    const glm::vec3& position_m(std::size_t map) const { return maps_[map].position_m; }
+    // Where nothing was needed yet: kNoSurface; empty where they are made elsewhere.
     const std::vector<std::uint16_t>& distance(std::size_t map) const { return maps_[map].distance; }
 
 private:
@@ -71,11 +78,12 @@ private:
     void add_blocks();
     scene::Box box_of(std::size_t instance, const glm::mat4& world) const;
     void outdate(const scene::Box& box);
+    void trace(const News& news);
 
     const scene::Stage& stage_;
     const DistanceSight sight_;
     std::vector<Block> blocks_;
-    Tracer tracer_;
+    std::optional<Tracer> tracer_; // where they are made here
     std::vector<scene::Box> mesh_boxes_;
     std::vector<Moved> instances_;
     std::vector<Map> maps_;

@@ -93,10 +93,12 @@ std::map<std::size_t, fixture::Programmer> lit_by_hand(std::size_t count, double
     return programmer;
 }
 
-// One of the two that are drawn in turns.
+// One of those that are drawn in turns.
 struct Truss {
     std::unique_ptr<Session> session;
     bool flies = false;
+    std::string name;
+    MovingMapsBy maps = MovingMapsBy::processor;
     std::vector<double> total_ms, processor_ms;
     std::map<std::string, std::vector<double>> spans = {};
 
@@ -118,8 +120,12 @@ struct Truss {
         for (const gpu::Span& span : drawn.spans) of_frame[span.name] += span.ms;
         for (const auto& [name, ms] : of_frame) spans[name].push_back(ms);
         const LiveView::MapWork& maps = session->live->map_work();
-        spans["maps traced"].push_back(maps.trace_ms);
-        spans["maps uploaded"].push_back(maps.upload_ms);
+        if (session->live->draws_maps()) {
+            spans["maps made"].push_back(maps.draw_ms);
+        } else {
+            spans["maps traced"].push_back(maps.trace_ms);
+            spans["maps uploaded"].push_back(maps.upload_ms);
+        }
     }
 };
 
@@ -131,23 +137,29 @@ Result<void> truss_rows(const BenchOptions& options, const fs::path& assets, con
     opening.live = true;
     opening.workers = true;
     opening.beams.grid = true;
-    Truss rests, flies;
-    flies.flies = true;
-    for (Truss* const one : {&rests, &flies}) {
-        TRY(one->session, open_session(opening));
+    // The truss, with maps by the processor and by the device; at rest each has the way that it would choose.
+    std::array<Truss, 3> trusses;
+    trusses[0] = {.name = "rests", .maps = MovingMapsBy::choice};
+    trusses[1] = {.flies = true, .name = "flies, maps by the processor"};
+    trusses[2] = {.flies = true, .name = "flies, maps by the device", .maps = MovingMapsBy::device};
+    for (Truss& one : trusses) {
+        opening.moving_maps = one.maps;
+        TRY(one.session, open_session(opening));
     }
     for (int frame = 0; frame < options.frames + kKineticWarmUp; ++frame) {
         if (interrupted()) return Error{"interrupted; the rows above are whole", ""};
-        rests.draw(frame);
-        flies.draw(frame);
+        for (Truss& one : trusses) one.draw(frame);
     }
-    const double at_rest_ms = median(rests.total_ms);
-    for (Truss* const one : {&rests, &flies}) {
+    const double at_rest_ms = median(trusses[0].total_ms);
+    for (Truss& truss : trusses) {
+        Truss* const one = &truss;
         BenchRow row{"kinetic",
-                     std::string("truss of 24 lamps, ") + (one->flies ? "flies" : "rests"),
+                     "truss of 24 lamps, " + one->name,
                      {{"ms", median(one->total_ms)}, {"processor_ms", median(one->processor_ms)}},
-                     "640x360, heads turn in both; frames in turns, medians of " +
+                     "640x360, heads turn in all; frames in turns, medians of " +
                          std::to_string(options.frames)};
+        if (one->maps == MovingMapsBy::device && !one->session->live->draws_maps())
+            row.note += "; this device cannot, so the processor did";
         if (one->flies) row.figures.emplace_back("of_rest", median(one->total_ms) / at_rest_ms);
         for (const auto& [name, ms] : one->spans) row.figures.emplace_back(name + "_ms", median(ms));
         sink(row);

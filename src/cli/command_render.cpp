@@ -46,6 +46,9 @@ Result<bool> check_usage(RenderArguments& arguments) {
     arguments.session.beams.grid = arguments.session.parks = arguments.hold_fps > 0 && !arguments.live_input;
     arguments.session.motion = fixture::motion_from(arguments.motion);
     if (arguments.has_ev100) arguments.session.ev100 = arguments.ev100;
+    arguments.session.moving_maps = arguments.moving_maps == "device"      ? MovingMapsBy::device
+                                    : arguments.moving_maps == "processor" ? MovingMapsBy::processor
+                                                                           : MovingMapsBy::choice;
     arguments.session.shadows = !arguments.no_shadows;
     arguments.session.maps_in_background = arguments.live_input;
     arguments.session.repeatable = !arguments.live_input && arguments.hold_fps == 0;
@@ -255,6 +258,11 @@ void add_render(CLI::App& app, int& exit_code) {
         ->add_option("--map-size", a->session.map_size,
                      "texels across a distance map, a power of two: finer shadows; with --live")
         ->check(CLI::Range(scene::kMinDistanceMapSize, scene::kMaxDistanceMapSize));
+    command
+        ->add_option("--moving-maps", a->moving_maps,
+                     "who makes the distance maps of a show with movers: processor or device, as in "
+                     "--moving-maps processor (default: the device where it is a graphics card)")
+        ->check(CLI::IsMember({"processor", "device"}));
     command
         ->add_option("--glare", a->session.glare,
                      "share of the light that the camera scatters; 0: neither glare nor shining lenses")

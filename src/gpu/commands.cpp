@@ -38,6 +38,12 @@ Binding sampled(const Texture& texture) {
 Binding stored(const Texture& texture) {
     return {VK_DESCRIPTOR_TYPE_STORAGE_IMAGE, texture};
 }
+Binding stored_level(const Texture& texture, std::uint32_t level) {
+    Binding binding = stored(texture);
+    binding.is_level = true;
+    binding.level = level;
+    return binding;
+}
 
 void push_bindings(const Device& device, VkCommandBuffer commands, VkPipelineBindPoint point,
                    VkPipelineLayout layout, std::string_view shader,
@@ -67,7 +73,9 @@ void push_bindings(const Device& device, VkCommandBuffer commands, VkPipelineBin
             write.pBufferInfo = &buffers[i];
         } else {
             const Texture::Handles& image = binding.texture->handles(device);
-            images[i] = {image.sampler, image.view, VK_IMAGE_LAYOUT_GENERAL};
+            const VkImageView view =
+                binding.is_level ? binding.texture->level_view(binding.level) : image.view;
+            images[i] = {image.sampler, view, VK_IMAGE_LAYOUT_GENERAL};
             write.pImageInfo = &images[i];
         }
     }

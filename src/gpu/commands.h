@@ -29,11 +29,14 @@ struct Binding {
     const Buffer* buffer = nullptr;
     const Texture* texture = nullptr;
     std::uint64_t offset = 0; // into the buffer
+    bool is_level = false;    // of the texture one level alone
+    std::uint32_t level = 0;
 };
 Binding uniform(const Buffer& buffer, std::uint64_t offset = 0);
 Binding storage(const Buffer& buffer);
 Binding sampled(const Texture& texture);
 Binding stored(const Texture& texture);
+Binding stored_level(const Texture& texture, std::uint32_t level); // not of workers
 
 // Pushes the bindings 0, 1, .. of set 0 at a pipeline; types: as its shaders bind them (bindings_of), without
 // those that glslc took out as unused. Fewer or others are a bug of ours and end the program with the

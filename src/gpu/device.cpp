@@ -246,15 +246,25 @@ void Device::make_device(const DeviceOptions& options) {
     f13.synchronization2 = VK_TRUE;
     f13.dynamicRendering = VK_TRUE;
     f13.maintenance4 = VK_TRUE; // glslc writes LocalSizeId
+    VkPhysicalDeviceVulkan12Features has12{};
+    has12.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_2_FEATURES;
+    VkPhysicalDeviceFeatures2 has{};
+    has.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2;
+    has.pNext = &has12;
+    vkGetPhysicalDeviceFeatures2(physical_, &has);
+    if (!has.features.shaderClipDistance) limits_.clip_distances = 0;
+    if (!has12.shaderOutputLayer) limits_.drawn_layers = 1;
     VkPhysicalDeviceVulkan12Features f12{};
     f12.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_2_FEATURES;
     f12.pNext = &f13;
     f12.scalarBlockLayout = VK_TRUE;
+    f12.shaderOutputLayer = has12.shaderOutputLayer; // distance maps alone
 
     VkPhysicalDeviceFeatures2 features{};
     features.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2;
     features.pNext = &f12;
-    features.features.shaderStorageImageExtendedFormats = VK_TRUE; // rg32ui
+    features.features.shaderStorageImageExtendedFormats = VK_TRUE;          // rg32ui
+    features.features.shaderClipDistance = has.features.shaderClipDistance; // distance maps alone
     features.features.shaderStorageImageWriteWithoutFormat = VK_TRUE;
 
     std::vector<const char*> extensions{VK_KHR_PUSH_DESCRIPTOR_EXTENSION_NAME};

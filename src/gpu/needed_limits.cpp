@@ -78,6 +78,10 @@ UsedLimits used_limits(const VkPhysicalDeviceLimits& limits, const LoweredLimits
         lowered_to(lowered, "maxComputeWorkGroupCount", limits.maxComputeWorkGroupCount[0]));
     used.memory_pieces = static_cast<std::uint32_t>(
         lowered_to(lowered, "maxMemoryAllocationCount", limits.maxMemoryAllocationCount));
+    used.clip_distances =
+        static_cast<std::uint32_t>(lowered_to(lowered, "maxClipDistances", limits.maxClipDistances));
+    used.drawn_layers =
+        static_cast<std::uint32_t>(lowered_to(lowered, "maxFramebufferLayers", limits.maxFramebufferLayers));
     used.timestamps =
         lowered_to(lowered, "timestampComputeAndGraphics", limits.timestampComputeAndGraphics) != 0;
     return used;

@@ -34,6 +34,8 @@ struct UsedLimits {
     std::uint32_t work_group_invocations = 128; // maxComputeWorkGroupInvocations
     std::uint32_t work_groups = 65535;          // maxComputeWorkGroupCount, in x
     std::uint32_t memory_pieces = 4096;         // maxMemoryAllocationCount
+    std::uint32_t clip_distances = 0;           // maxClipDistances; 0: not a feature of the device
+    std::uint32_t drawn_layers = 1;             // maxFramebufferLayers; 1: shaders cannot choose one
     bool timestamps = false;                    // timestampComputeAndGraphics: else spans have no times
 };
 UsedLimits used_limits(const VkPhysicalDeviceLimits& limits, const LoweredLimits& lowered);

@@ -46,14 +46,18 @@ Pipeline make_pipeline(const Device& device, const Shader& vertex, const Shader&
         stages[i].pName = "main";
     }
 
-    const VkVertexInputBindingDescription buffer{0, shape.vertex_stride, VK_VERTEX_INPUT_RATE_VERTEX};
+    const std::array<VkVertexInputBindingDescription, 2> buffers{
+        {{0, shape.vertex_stride, VK_VERTEX_INPUT_RATE_VERTEX},
+         {1, shape.instance_stride, VK_VERTEX_INPUT_RATE_INSTANCE}}};
     std::vector<VkVertexInputAttributeDescription> attributes;
     for (const VertexInput& input : shape.inputs)
         attributes.push_back({static_cast<std::uint32_t>(attributes.size()), 0, input.format, input.offset});
+    for (const VertexInput& input : shape.of_instance)
+        attributes.push_back({static_cast<std::uint32_t>(attributes.size()), 1, input.format, input.offset});
     VkPipelineVertexInputStateCreateInfo inputs{};
     inputs.sType = VK_STRUCTURE_TYPE_PIPELINE_VERTEX_INPUT_STATE_CREATE_INFO;
-    inputs.vertexBindingDescriptionCount = 1;
-    inputs.pVertexBindingDescriptions = &buffer;
+    inputs.vertexBindingDescriptionCount = shape.of_instance.empty() ? 1 : 2;
+    inputs.pVertexBindingDescriptions = buffers.data();
     inputs.vertexAttributeDescriptionCount = static_cast<std::uint32_t>(attributes.size());
     inputs.pVertexAttributeDescriptions = attributes.data();
 
@@ -123,12 +127,15 @@ PipelineKey key_of(const Shader& vertex, const Shader& fragment, const RasterSha
     PipelineKey key;
     key.add(vertex.words);
     key.add(fragment.words);
-    key.add(shape.inputs.size());
-    for (const VertexInput& input : shape.inputs) {
-        key.add(static_cast<std::uint64_t>(input.format));
-        key.add(input.offset);
+    for (const std::vector<VertexInput>* inputs : {&shape.inputs, &shape.of_instance}) {
+        key.add(inputs->size());
+        for (const VertexInput& input : *inputs) {
+            key.add(static_cast<std::uint64_t>(input.format));
+            key.add(input.offset);
+        }
     }
     key.add(shape.vertex_stride);
+    key.add(shape.instance_stride);
     key.add(shape.constants.size());
     for (const std::uint32_t constant : shape.constants) key.add(constant);
     for (const VkFormat format : shape.colours) key.add(static_cast<std::uint64_t>(format));
@@ -154,18 +161,17 @@ Raster::Raster(const Device& device, const Shader& built_in, const Shader& verte
     CHECK(bindings_of(vertex).empty());
 }
 
-void begin_drawing(Commands& commands, const std::vector<const Texture*>& colours, const Texture& depth,
-                   Before before) {
+namespace {
+
+void begin_part(Commands& commands, const std::vector<VkRenderingAttachmentInfo>& attachments,
+                const Texture& depth, Before before, std::uint32_t layers, const VkRect2D& area) {
     commands.barrier();
-    std::vector<VkRenderingAttachmentInfo> attachments;
-    for (const Texture* colour : colours) attachments.push_back(attachment(*colour, before));
     const VkRenderingAttachmentInfo depth_attachment = attachment(depth, before);
     const TextureShape& shape = depth.shape();
-    const VkRect2D area{{0, 0}, {shape.width, shape.height}};
     VkRenderingInfo info{};
     info.sType = VK_STRUCTURE_TYPE_RENDERING_INFO;
     info.renderArea = area;
-    info.layerCount = 1;
+    info.layerCount = layers;
     info.colorAttachmentCount = static_cast<std::uint32_t>(attachments.size());
     info.pColorAttachments = attachments.data();
     info.pDepthAttachment = &depth_attachment;
@@ -174,6 +180,22 @@ void begin_drawing(Commands& commands, const std::vector<const Texture*>& colour
                               0.0f, 1.0f};
     vkCmdSetViewport(commands.handle(), 0, 1, &viewport);
     vkCmdSetScissor(commands.handle(), 0, 1, &area);
+}
+
+} // namespace
+
+void begin_drawing(Commands& commands, const std::vector<const Texture*>& colours, const Texture& depth,
+                   Before before) {
+    std::vector<VkRenderingAttachmentInfo> attachments;
+    for (const Texture* colour : colours) attachments.push_back(attachment(*colour, before));
+    begin_part(commands, attachments, depth, before, 1,
+               {{0, 0}, {depth.shape().width, depth.shape().height}});
+}
+
+void begin_drawing_layers(Commands& commands, const Texture& depth, std::uint32_t layers,
+                          const VkRect2D& part) {
+    CHECK(layers > 0 && layers <= depth.shape().layers);
+    begin_part(commands, {}, depth, Before::cleared, layers, part);
 }
 
 void end_drawing(Commands& commands) {
@@ -186,6 +208,12 @@ void use_vertices(Commands& commands, const Buffer& vertices, const Buffer& indi
     constexpr VkDeviceSize kOffset = 0;
     vkCmdBindVertexBuffers(commands.handle(), 0, 1, &buffer, &kOffset);
     vkCmdBindIndexBuffer(commands.handle(), indices.handle(), 0, VK_INDEX_TYPE_UINT32);
+}
+
+void use_instances(Commands& commands, const Buffer& instances) {
+    VkBuffer buffer = instances.handle();
+    constexpr VkDeviceSize kOffset = 0;
+    vkCmdBindVertexBuffers(commands.handle(), 1, 1, &buffer, &kOffset);
 }
 
 void use_raster(Commands& commands, const Raster& raster) {
@@ -204,8 +232,14 @@ void use_bindings(Commands& commands, const Device& device, const Raster& raster
 }
 
 void draw_triangles(Commands& commands, const DrawRange& range) {
+    draw_instances(commands, range, 0, 1);
+}
+
+void draw_instances(Commands& commands, const DrawRange& range, std::uint32_t first_instance,
+                    std::uint32_t count) {
     ++commands.device().work().draws;
-    vkCmdDrawIndexed(commands.handle(), range.index_count, 1, range.first_index, range.first_vertex, 0);
+    vkCmdDrawIndexed(commands.handle(), range.index_count, count, range.first_index, range.first_vertex,
+                     first_instance);
 }
 
 } // namespace ghost::gpu

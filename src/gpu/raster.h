@@ -23,6 +23,8 @@ struct VertexInput {
 struct RasterShape {
     std::vector<VertexInput> inputs;      // of locations 0, 1, ..
     std::uint32_t vertex_stride = 0;      // bytes of a vertex
+    std::vector<VertexInput> of_instance; // of the locations that follow, one value for a whole draw
+    std::uint32_t instance_stride = 0;    // bytes
     std::vector<std::uint32_t> constants; // specialisation constants 0, 1, .. of both shaders
     std::vector<VkFormat> colours;        // of the attachments
     VkFormat depth = VK_FORMAT_D32_SFLOAT;
@@ -57,6 +59,9 @@ enum class Before { cleared, kept };
 // of samples.
 void begin_drawing(Commands& commands, const std::vector<const Texture*>& colours, const Texture& depth,
                    Before before = Before::cleared);
+// The same of depth alone, of a part of its first layers: shaders say to which.
+void begin_drawing_layers(Commands& commands, const Texture& depth, std::uint32_t layers,
+                          const VkRect2D& part);
 void end_drawing(Commands& commands);
 
 // A part of an index buffer (32 bit).
@@ -68,11 +73,16 @@ struct DrawRange {
 
 // The buffers of the following draws.
 void use_vertices(Commands& commands, const Buffer& vertices, const Buffer& indices);
+// What RasterShape::of_instance reads.
+void use_instances(Commands& commands, const Buffer& instances);
 // What the following draws use; bytes of push: at most 128, seen by both shaders.
 void use_raster(Commands& commands, const Raster& raster);
 void push_constants(Commands& commands, const Raster& raster, const void* push, std::uint32_t bytes);
 void use_bindings(Commands& commands, const Device& device, const Raster& raster,
                   const std::vector<Binding>& bindings);
 void draw_triangles(Commands& commands, const DrawRange& range);
+// So many times, each with its instance.
+void draw_instances(Commands& commands, const DrawRange& range, std::uint32_t first_instance,
+                    std::uint32_t count);
 
 } // namespace ghost::gpu

@@ -66,17 +66,26 @@ std::uint64_t texture_bytes(const Device& device, const TextureShape& shape) {
 
 namespace {
 
+VkImageAspectFlags aspect_of(VkFormat format) {
+    return is_depth(format) ? VK_IMAGE_ASPECT_DEPTH_BIT : VK_IMAGE_ASPECT_COLOR_BIT;
+}
+
+VkImageView view_of(const Device& device, const TextureShape& shape, VkImage image, std::uint32_t level,
+                    std::uint32_t levels) {
+    VkImageViewCreateInfo info{};
+    info.sType = VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO;
+    info.image = image;
+    info.viewType = shape.samples > 1 ? VK_IMAGE_VIEW_TYPE_2D : VK_IMAGE_VIEW_TYPE_2D_ARRAY;
+    info.format = shape.format;
+    info.subresourceRange = {aspect_of(shape.format), level, levels, 0, shape.layers};
+    VkImageView view = VK_NULL_HANDLE;
+    VK_CALL(vkCreateImageView(device.handle(), &info, nullptr, &view));
+    return view;
+}
+
 // What stands on an image that has its memory; it is in the GENERAL layout then.
 void finish_image(const Device& device, const TextureShape& shape, Texture::Handles& handles) {
-    const VkImageAspectFlags aspect =
-        is_depth(shape.format) ? VK_IMAGE_ASPECT_DEPTH_BIT : VK_IMAGE_ASPECT_COLOR_BIT;
-    VkImageViewCreateInfo view{};
-    view.sType = VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO;
-    view.image = handles.image;
-    view.viewType = shape.samples > 1 ? VK_IMAGE_VIEW_TYPE_2D : VK_IMAGE_VIEW_TYPE_2D_ARRAY;
-    view.format = shape.format;
-    view.subresourceRange = {aspect, 0, shape.levels, 0, shape.layers};
-    VK_CALL(vkCreateImageView(device.handle(), &view, nullptr, &handles.view));
+    handles.view = view_of(device, shape, handles.image, 0, shape.levels);
 
     VkSamplerCreateInfo sampler{};
     sampler.sType = VK_STRUCTURE_TYPE_SAMPLER_CREATE_INFO;
@@ -99,7 +108,7 @@ void finish_image(const Device& device, const TextureShape& shape, Texture::Hand
     to_general.srcQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
     to_general.dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
     to_general.image = handles.image;
-    to_general.subresourceRange = view.subresourceRange;
+    to_general.subresourceRange = {aspect_of(shape.format), 0, shape.levels, 0, shape.layers};
     VkDependencyInfo dependency{};
     dependency.sType = VK_STRUCTURE_TYPE_DEPENDENCY_INFO;
     dependency.imageMemoryBarrierCount = 1;
@@ -127,6 +136,8 @@ Texture::Texture(const Device& device, const TextureShape& shape) : device_(&dev
     }
     if (info.tiling == VK_IMAGE_TILING_LINEAR && memory_.mapped) find_texels();
     finish_image(device, shape, own_);
+    for (std::uint32_t level = 0; shape.storage && shape.levels > 1 && level < shape.levels; ++level)
+        level_views_.push_back(view_of(device, shape, own_.image, level, 1));
 }
 
 const Texture::Handles& Texture::on_worker(const Device& worker) const {
@@ -157,7 +168,7 @@ void Texture::find_texels() {
 }
 
 VkImageAspectFlags Texture::aspect() const {
-    return is_depth(shape_.format) ? VK_IMAGE_ASPECT_DEPTH_BIT : VK_IMAGE_ASPECT_COLOR_BIT;
+    return aspect_of(shape_.format);
 }
 
 void Texture::write(std::uint32_t level, const void* data, std::uint64_t bytes) {
@@ -199,6 +210,7 @@ Texture::~Texture() {
         destroy_image(*worker, handles);
         vkFreeMemory(worker->handle(), handles.memory, nullptr);
     }
+    for (const VkImageView view : level_views_) vkDestroyImageView(device_->handle(), view, nullptr);
     destroy_image(*device_, own_);
     device_->memory().release(memory_);
 }
@@ -207,6 +219,7 @@ void Texture::swap(Texture& other) noexcept {
     std::swap(device_, other.device_);
     std::swap(shape_, other.shape_);
     std::swap(own_, other.own_);
+    std::swap(level_views_, other.level_views_);
     std::swap(on_workers_, other.on_workers_);
     std::swap(memory_, other.memory_);
     std::swap(mapped_, other.mapped_);

@@ -52,6 +52,10 @@ public:
     VkImage image() const { return own_.image; }
     VkImageView view() const { return own_.view; }
     VkSampler sampler() const { return own_.sampler; }
+    // Of one level alone, of a texture that shaders store to.
+    VkImageView level_view(std::uint32_t level) const {
+        return level_views_.empty() ? own_.view : level_views_[level];
+    }
     struct Handles {
         VkImage image = VK_NULL_HANDLE;
         VkImageView view = VK_NULL_HANDLE;
@@ -82,6 +86,7 @@ private:
     const Device* device_ = nullptr;
     TextureShape shape_;
     Handles own_;
+    std::vector<VkImageView> level_views_; // of those that are stored to, where there are several
     mutable std::map<const Device*, Handles> on_workers_; // those that have asked
     MemoryRange memory_;
     std::uint8_t* mapped_ = nullptr;

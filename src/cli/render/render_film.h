@@ -33,6 +33,7 @@ struct RenderArguments {
     int threads = 0; // 0: one per core
     FarmOptions farm;
     std::string beams = "gate";
+    std::string moving_maps; // processor, device; empty: as the device has it
     std::string replay;
     TimeCodeOptions timecode; // live: the recording by time code instead of a desk
     std::string motion;       // empty: the show's

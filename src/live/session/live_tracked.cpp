@@ -145,13 +145,22 @@ bool LiveView::update_maps(const std::vector<shared::Light>& lights) {
     const double begin_s = steady_now_s();
     const bake::MovingMaps::News news = moving_maps_->update(lights);
     const double traced_s = steady_now_s();
+    if (distances_->can_draw()) {
+        std::vector<render::MapDrawer::Job> jobs;
+        for (const bake::MovingMaps::Changed& changed : news.maps)
+            jobs.push_back({static_cast<std::uint32_t>(changed.map), moving_maps_->position_m(changed.map),
+                            changed.blocks});
+        distances_->draw(model_, jobs);
+        map_work_ = {news.rays, 0, 0, 1e3 * (steady_now_s() - begin_s)};
+        return news.is_seen_by_resting;
+    }
     std::vector<render::DistanceImages::Change> changes;
     for (const bake::MovingMaps::Changed& changed : news.maps)
         if (changed.map < maps_.maps.size()) // else left out
             changes.push_back({changed.map, moving_maps_->distance(changed.map), changed.blocks});
     distances_->set_blocks(changes);
     distances_->finish();
-    map_work_ = {news.rays, 1e3 * (traced_s - begin_s), 1e3 * (steady_now_s() - traced_s)};
+    map_work_ = {news.rays, 1e3 * (traced_s - begin_s), 1e3 * (steady_now_s() - traced_s), 0};
     return news.is_seen_by_resting;
 }
 

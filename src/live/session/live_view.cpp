@@ -115,7 +115,7 @@ Result<std::unique_ptr<LiveView>> LiveView::open(const gpu::Device& device, scen
     if (ends()) return interruption;
     if (!options.shadows) return view;
     if (!show.movers.empty()) {
-        view->begin_moving_maps(report);
+        view->begin_moving_maps(options.moving_maps, report);
         return view;
     }
     if (options.maps_in_background) {
@@ -160,7 +160,7 @@ void LiveView::begin_maps(Report& report) {
     maker_ = std::make_unique<MapMaker>(show_, solid(), size, std::move(known));
 }
 
-void LiveView::begin_moving_maps(Report& report) {
+void LiveView::begin_moving_maps(MovingMapsBy by, Report& report) {
     const int size = map_size(show_, report);
     const std::vector<scene::DistancePlace> places = scene::distance_places(show_, size);
     if (places.empty()) return;
@@ -181,10 +181,23 @@ void LiveView::begin_moving_maps(Report& report) {
             carried_fixtures_.push_back({fixture, k, {}});
         carried_fixtures_.back().places_m.push_back(place.position_m);
     }
-    distances_ = std::make_unique<render::DistanceImages>(device_, maps_);
+    using render::DistanceImages;
+    const bool draws = by == MovingMapsBy::device || (by == MovingMapsBy::choice && !device_.is_cpu());
+    distances_ = std::make_unique<DistanceImages>(
+        device_, maps_, draws ? DistanceImages::Made::by_the_device : DistanceImages::Made::elsewhere);
+    if (draws && !distances_->can_draw()) {
+        const std::string text = distances_->lack() + "; the processor traces them";
+        if (by == MovingMapsBy::device)
+            report.add(Severity::warning, "distance maps", text);
+        else
+            log_info("distance maps: " + text);
+    }
     leave_out(maps_, distances_->count(), report);
     for (scene::DistanceMap& map : maps_.maps) map.distance = {};
-    moving_maps_ = std::make_unique<bake::MovingMaps>(stage_, size, places_m);
+    using bake::MovingMaps;
+    moving_maps_ = std::make_unique<MovingMaps>(stage_, size, places_m,
+                                                distances_->can_draw() ? MovingMaps::Made::elsewhere
+                                                                       : MovingMaps::Made::here);
 }
 
 bool LiveView::take_maps(Report& report) {

@@ -31,6 +31,10 @@ namespace ghost::app {
 
 inline constexpr float kStill_m = 0.002f; // what moved less is where it was: the G-buffer is not drawn again
 
+// Who makes the distance maps of a show with movers. choice: the device, unless it is a processor itself or
+// lacks what it takes.
+enum class MovingMapsBy { choice, processor, device };
+
 struct LiveOptions {
     bool shadows = true;
     bool maps_in_background = false; // start at once; a light throws no shadows until its map is made
@@ -38,6 +42,7 @@ struct LiveOptions {
     bool keep_hidden = false;           // hidden objects stay, so that they can be shown
     std::optional<Atmosphere> air = {}; // nothing: the show's
     std::function<bool()> stop = {};    // ends the opening with an error; nothing: never
+    MovingMapsBy moving_maps = MovingMapsBy::choice;
 };
 
 class LiveView {
@@ -109,8 +114,10 @@ public:
         std::uint64_t rays = 0;
         double trace_ms = 0;
         double upload_ms = 0;
+        double draw_ms = 0; // instead of both, by the device
     };
     const MapWork& map_work() const { return map_work_; }
+    bool draws_maps() const { return moving_maps_ && distances_->can_draw(); } // MovingMapsBy
     // That are being made; none where they cannot be.
     std::size_t missing_maps() const { return maker_ ? missing_maps_ : 0; }
     bool is_making_maps() const { return maker_ != nullptr; }
@@ -132,7 +139,7 @@ private:
              const scene::Camera& camera, Atmosphere air, Report& report);
     void begin_maps(Report& report);
     void begin_changed_maps();
-    void begin_moving_maps(Report& report);
+    void begin_moving_maps(MovingMapsBy by, Report& report);
     void move(std::size_t instance, const glm::mat4& by);
     void hang_lamps(const scene::Rig& rig);
 

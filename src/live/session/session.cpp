@@ -439,6 +439,10 @@ render::FrameStatistics Session::draw(double time_s, const std::function<bool()>
         on_lights([](render::Relighter& one) { one.forget(); });
         maps_changed_since_parked = true;
     }
+    if (live && live->draws_maps()) {
+        const std::vector<gpu::Span> drawn = live->distances()->drawing_spans();
+        spans.insert(spans.end(), drawn.begin(), drawn.end());
+    }
     update_bounce(shining);
     const double before_ms = 1e3 * (steady_now_s() - start_s);
     render::FrameStatistics statistics = relighter->draw(shining, stop);
@@ -535,7 +539,8 @@ Result<std::unique_ptr<Session>> open_session(const SessionOptions& asked, scene
                                options.quiet,
                                options.keep_hidden,
                                session->atmosphere(),
-                               ends};
+                               ends,
+                               options.moving_maps};
         TRY(session->live, LiveView::open(*session->device, *session->show, camera, live, report));
         scene::check_places(*session->show, session->live->stage(), {&camera, 1}, report);
         print_report(report, printed);

@@ -58,12 +58,13 @@ struct SessionOptions {
     std::optional<scene::BounceDetail> bounce;
     float glare = 0.05f; // share of the light that the camera scatters; 0: neither glare nor lenses
     std::uint64_t image_memory_bytes = std::uint64_t{1} << 30;
-    std::uint64_t memory_limit_bytes = 0;  // of the device, see gpu::DeviceOptions
-    std::string shaders;                   // likewise
-    bool pipeline_statistics = false;      // likewise
-    std::uint32_t lights_per_dispatch = 0; // render::Settings
-    bool pixels_on_processor = true;       // likewise
-    gpu::LoweredLimits lowered_limits;     // gpu::DeviceOptions
+    std::uint64_t memory_limit_bytes = 0;            // of the device, see gpu::DeviceOptions
+    std::string shaders;                             // likewise
+    bool pipeline_statistics = false;                // likewise
+    std::uint32_t lights_per_dispatch = 0;           // render::Settings
+    bool pixels_on_processor = true;                 // likewise
+    MovingMapsBy moving_maps = MovingMapsBy::choice; // live only
+    gpu::LoweredLimits lowered_limits;               // gpu::DeviceOptions
     // Draw lights side by side where the device is a processor (gpu/workers.h): for pictures that move, whose
     // last bit may hang on the machine.
     bool workers = false;

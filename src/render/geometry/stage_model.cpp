@@ -221,6 +221,7 @@ void StageModel::add_levels(const scene::Mesh& mesh, const std::vector<glm::vec3
 void StageModel::add_instances(const scene::Stage& stage, Report& report) {
     for (const scene::Instance& instance : stage.instances) {
         Instance made;
+        made.body = instance.fixture != scene::kNone;
         const bool known = instance.mesh >= 0 && instance.mesh < static_cast<int>(meshes_.size());
         if (known && placeable(instance.world)) {
             made.world = instance.world;
@@ -367,6 +368,26 @@ std::vector<StageModel::Draw> StageModel::visible(const glm::vec3& eye_m,
     std::vector<Draw> draws;
     for (const std::vector<Draw>& group : groups) draws.insert(draws.end(), group.begin(), group.end());
     return draws;
+}
+
+std::vector<StageModel::Solid> StageModel::solids() const {
+    std::vector<Solid> solids;
+    for (std::size_t m = 0; m < meshes_.size(); ++m) {
+        const Mesh& mesh = meshes_[m];
+        if (mesh.range.index_count == 0) continue;
+        const glm::vec3 middle_m = 0.5f * (mesh.low_m + mesh.high_m), half_m = mesh.high_m - middle_m;
+        for (const std::size_t index : mesh.instances) {
+            const Instance& instance = instances_[index];
+            if (instance.body || !instance.shown || !instance.usable) continue;
+            const glm::mat4& world = instance.world;
+            const glm::vec3 at_m(world * glm::vec4(middle_m, 1.0f));
+            const glm::vec3 reach_m = glm::abs(glm::vec3(world[0])) * half_m.x +
+                                      glm::abs(glm::vec3(world[1])) * half_m.y +
+                                      glm::abs(glm::vec3(world[2])) * half_m.z;
+            solids.push_back({m, world, at_m - reach_m, at_m + reach_m});
+        }
+    }
+    return solids;
 }
 
 std::uint64_t StageModel::memory_bytes() const {

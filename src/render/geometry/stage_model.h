@@ -85,6 +85,16 @@ public:
     std::vector<MovingDraw> visible_moving(const glm::vec3& eye_m, const std::vector<glm::vec4>& planes,
                                            float pixels_per_rad) const;
 
+    // An instance that stops light: one that is shown and no body of a fixture.
+    struct Solid {
+        std::size_t mesh = 0;
+        glm::mat4 world{1.0f};
+        glm::vec3 low_m{0}; // of its box in the world
+        glm::vec3 high_m{0};
+    };
+    std::vector<Solid> solids() const; // mesh after mesh
+    const gpu::DrawRange& whole(std::size_t mesh) const { return meshes_[mesh].range; }
+
     struct Surface {
         std::size_t made_from = 0; // Stage::materials
         shared::MeshMaterial material{};
@@ -123,6 +133,7 @@ private:
         bool shown = true;
         bool usable = false;
         bool moving = false;
+        bool body = false; // of a fixture
     };
     // False: it does not reach into the view.
     bool place(const Instance& instance, const glm::vec3& eye_m, const std::vector<glm::vec4>& planes,

@@ -2,10 +2,12 @@
 #include "render/haze/distance_images.h"
 
 #include "base/check.h"
+#include "gpu/device_failures.h"
 #include "render/haze/memory_order.h"
 #include "render/haze/private/blockers.h"
 
 #include <algorithm>
+#include <string>
 #include <tbb/parallel_for.h>
 #include <vector>
 
@@ -23,13 +25,17 @@ std::uint32_t layers_of(const gpu::Device& device, const scene::DistanceMaps& ma
         std::clamp<std::size_t>(maps.maps.size(), 1, device.limits().image_layers));
 }
 
-gpu::TextureShape texels_shape(std::uint32_t side, std::uint32_t layers) {
-    return {side, side, layers, 1, VK_FORMAT_R16_SFLOAT};
+gpu::TextureShape texels_shape(std::uint32_t side, std::uint32_t layers, bool stored) {
+    return {side, side, layers, 1, VK_FORMAT_R16_SFLOAT, stored};
 }
 
-gpu::TextureShape blockers_shape(std::uint32_t side, std::uint32_t layers) {
+gpu::TextureShape blockers_shape(std::uint32_t side, std::uint32_t layers, bool stored) {
     const std::uint32_t cells = std::max(side / kLeastBlockerCell, 1u);
-    return {cells, cells, layers, blocker_levels(side), VK_FORMAT_R16G16B16A16_SFLOAT};
+    return {cells, cells, layers, blocker_levels(side), VK_FORMAT_R16G16B16A16_SFLOAT, stored};
+}
+
+bool is_stored_to(const gpu::Device& device, DistanceImages::Made made) {
+    return made == DistanceImages::Made::by_the_device && MapDrawer::lack_of(device).empty();
 }
 
 std::uint32_t side_that_fits(const gpu::Device& device, const scene::DistanceMaps& maps) {
@@ -37,8 +43,8 @@ std::uint32_t side_that_fits(const gpu::Device& device, const scene::DistanceMap
     const std::uint32_t layers = layers_of(device, maps);
     const std::uint64_t room = share_of(Kept::maps, device);
     while (side % 2 == 0 && side > kLeastSide &&
-           gpu::texture_bytes(device, texels_shape(side, layers)) +
-                   gpu::texture_bytes(device, blockers_shape(side, layers)) >
+           gpu::texture_bytes(device, texels_shape(side, layers, false)) +
+                   gpu::texture_bytes(device, blockers_shape(side, layers, false)) >
                room)
         side /= 2;
     return side;
@@ -50,14 +56,47 @@ VkRect2D square(std::uint32_t x, std::uint32_t y, std::uint32_t width) {
 
 } // namespace
 
-DistanceImages::DistanceImages(const gpu::Device& device, const scene::DistanceMaps& maps)
+DistanceImages::DistanceImages(const gpu::Device& device, const scene::DistanceMaps& maps, Made made)
     : wanted_side_(static_cast<std::uint32_t>(std::max(maps.size, 1))),
-      texture_(device, texels_shape(side_that_fits(device, maps), layers_of(device, maps))),
-      blockers_(device, blockers_shape(side(), layers_of(device, maps))), uploads_(device), far_(count()),
-      kept_(count()) {
+      texture_(device, texels_shape(side_that_fits(device, maps), layers_of(device, maps),
+                                    is_stored_to(device, made))),
+      blockers_(device, blockers_shape(side(), layers_of(device, maps), is_stored_to(device, made))),
+      uploads_(device), far_(count()), kept_(count()) {
+    begin_drawing(device, made);
     for (FarParts& parts : far_) parts.fill(scene::kNoSurface_m);
     for (std::size_t index = 0; index < maps.maps.size(); ++index) set(index, maps.maps[index].distance);
     finish();
+}
+
+void DistanceImages::begin_drawing(const gpu::Device& device, Made made) {
+    if (made == Made::elsewhere) return;
+    lack_ = MapDrawer::lack_of(device);
+    if (!lack_.empty())
+        lack_ = "the device lacks " + lack_;
+    else if (side() != wanted_side_ || !MapDrawer::takes(side()))
+        lack_ = "its memory holds maps of " + std::to_string(side()) + " texels a side, not of " +
+                std::to_string(wanted_side_);
+    if (!lack_.empty()) return;
+    try {
+        drawer_ = std::make_unique<MapDrawer>(device, side(), static_cast<std::uint32_t>(count()));
+    } catch (const gpu::OutOfDeviceMemory&) {
+        lack_ = "its memory has no room to draw them";
+    }
+}
+
+void DistanceImages::draw(const StageModel& model, const std::vector<MapDrawer::Job>& jobs) {
+    CHECK(can_draw());
+    std::vector<MapDrawer::Job> held;
+    for (const MapDrawer::Job& job : jobs) {
+        if (job.map >= count() || job.blocks.empty()) continue;
+        held.push_back(job);
+        kept_[job.map].clear();
+    }
+    drawer_->draw(model, held, texture_, blockers_, far_);
+}
+
+std::vector<gpu::Span> DistanceImages::drawing_spans() const {
+    return drawer_ ? drawer_->spans() : std::vector<gpu::Span>();
 }
 
 void DistanceImages::set(std::size_t index, const std::vector<std::uint16_t>& distance) {
