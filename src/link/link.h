@@ -16,6 +16,7 @@
 #include "link/look.h"
 #include "link/news.h"
 #include "link/rdm.h"
+#include "link/surfaces.h"
 #include "show/bounce_detail.h"
 #include "show/camera.h"
 #include "show_folder/hang.h"
@@ -198,6 +199,8 @@ struct Picture {
     std::size_t left_dark = 0; // heads that would shine at home, and nobody asks (Rig::leave_unasked_dark)
     FalseColour false_colour;  // what the image shows
     bool has_work_light = false;
+    bool is_image_older = false; // the image is one before: this one is on the device alone, while it moves
+    std::string shower;          // in words: who shows it, and why (link/surfaces.h); "": nothing is to be said
     bool is_baked = false; // from passes; its size is theirs
     std::string supply;    // in words: which passes, or why it is drawn live
     std::chrono::nanoseconds arrival{
@@ -318,6 +321,9 @@ struct Saved {
 struct Link {
     Mailbox<ViewRequest> request;
     Signal wake; // of the engine: after a request was put
+    Mailbox<SurfaceOffer> surface_offer;
+    Mailbox<std::vector<Surface>> surfaces; // all there are, after each change
+    Mailbox<ShowerNow> shower;
 
     News<Opened> opened;
     Mailbox<NotOpened> not_opened;

@@ -64,6 +64,7 @@ struct SessionOptions {
     std::uint32_t lights_per_dispatch = 0; // render::Settings
     bool pixels_on_processor = true;       // likewise
     gpu::LoweredLimits lowered_limits;     // gpu::DeviceOptions
+    bool presents = false;                 // likewise
     // Draw lights side by side where the device is a processor (gpu/workers.h): for pictures that move, whose
     // last bit may hang on the machine.
     bool workers = false;

@@ -148,6 +148,13 @@ public:
     bool is_coarse() const { return coarse_ != nullptr; }
     image::Image8 picture() const;              // RGBA, sRGB: the developed frame
     void copy_picture(image::Image8& to) const; // of that size
+    // False: pictures stay on the device from the next one on, and picture() and copy_picture() fetch them.
+    void set_reads_back(bool reads_back) { reads_back_ = reads_back; }
+    // The same, for what shows it, into RGBA8 or, as light whose white is 1 (shared/present.h), RGBA16F of
+    // that size; a peak above 1 goes with the latter. Where the device is a processor nothing may use `to`
+    // meanwhile.
+    void put_picture(gpu::Commands& commands, const gpu::Texture& to) const;
+    void put_light(gpu::Commands& commands, const gpu::Texture& to, float peak);
     image::ImageF frame();                      // RGB, linear Rec.2020, cd/m^2, glare included: read back
     float ev100_used() const;
     image::Tone tone() const { return settings_.tone; }
@@ -276,9 +283,12 @@ private:
     std::size_t next_painter_ = 0;
     gpu::LateProgram meter_;
     std::array<gpu::LateProgram, shared::kToneCount> develop_;
+    std::unique_ptr<gpu::Program> shown_light_; // made where a display wants it
     std::uint32_t wide_step_ = 1;
     bool uses_grid_ = false;
     bool saw_ = true;                       // glare_ has made what is seen of the frame
+    bool reads_back_ = true;
+    mutable bool has_pixels_ = true; // pixels_ has the picture
     std::unique_ptr<RoomLight> room_light_; // null: none
     LedWallPass led_walls_;
     LensPass lens_;

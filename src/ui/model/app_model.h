@@ -27,6 +27,7 @@ public:
     // Sets Link::on_news.
     explicit AppModel(Link& link);
 
+    Link& link() { return link_; }
     // What the engine said last.
     const std::shared_ptr<const scene::Show>& show() const { return opened_.show; } // null: none is open
     const Opened& opened() const { return opened_; }
@@ -166,6 +167,7 @@ public:
     }
 
 Q_SIGNALS:
+    void news_came(); // after all of the others
     void opened_show();
     void failed(const QString& what);
     void not_opened(); // open_error says why; failed says it, too

@@ -127,6 +127,11 @@ void View::paintEvent(QPaintEvent*) {
     if (asked_ratio_ > 0 && asked_ratio_ != devicePixelRatioF() && !resize_timer_.isActive())
         resize_timer_.start();
     QPainter painter(this);
+    const PictureSurface::Painting what = surface_.painting();
+    if (what == PictureSurface::Painting::nothing) {
+        painter.fillRect(rect(), Qt::black); // what a window shows that grows before its surface does
+        return;
+    }
     const Picture& picture = app_.picture();
     if (!app_.show() || !picture.image) {
         painter.fillRect(rect(), QColor(12, 12, 13));
@@ -139,8 +144,10 @@ void View::paintEvent(QPaintEvent*) {
         return;
     }
     const QRectF place = rect_of_picture();
-    if (!place.adjusted(-1, -1, 1, 1).contains(rect())) painter.fillRect(rect(), Qt::black);
-    paint_picture(painter, place, *picture.image);
+    if (what == PictureSurface::Painting::all) {
+        if (!place.adjusted(-1, -1, 1, 1).contains(rect())) painter.fillRect(rect(), Qt::black);
+        paint_picture(painter, place, *picture.image);
+    }
     wipe_.paint(painter, size());
     if (overlays.frame) paint_frame(painter, place, frame_rect(size(), app_.request().frame));
     if (overlays.movers && !app_.show()->movers.empty())
@@ -163,6 +170,7 @@ void View::paintEvent(QPaintEvent*) {
     if (overlays.probe && app_.probed()) paint_probe(painter, place, size(), *app_.probed());
     paint_box(painter);
     painter.end();
+    if (surface_.is_measuring()) return;
     paint_ms_ = static_cast<double>(clock.nsecsElapsed()) * 1e-6;
     if (std::exchange(picture_waits_, false))
         app_.count_window(std::chrono::nanoseconds(clock.nsecsElapsed()));

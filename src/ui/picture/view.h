@@ -8,6 +8,7 @@
 #include "ui/model/lamp_drag.h"
 #include "ui/picture/mover_marks.h"
 #include "ui/picture/overlays.h"
+#include "ui/picture/surfaces.h"
 #include "ui/picture/wipe.h"
 
 #include <QElapsedTimer>
@@ -120,6 +121,7 @@ private:
     std::chrono::nanoseconds arrival_{0}; // of the first packet that no painted picture shows; 0: none waits
     double paint_ms_ = 0;
     Figures figures_;
+    PictureSurface surface_{app_, *this};
     QTimer rest_timer_; // until the figures may say that it rests
 };
 
