@@ -106,7 +106,6 @@ Result<void> run(OpenArguments& arguments) {
 void add_open(CLI::App& app, int& exit_code) {
     CLI::App* command = app.add_subcommand("open", "the window: a show, live, with everything at hand");
     const auto a = std::make_shared<OpenArguments>();
-    a->engine.present.shower = ui::Shower::measured;
     command->add_option("SHOW", a->window.show,
                         "folder with show.toml, or an .mvr; without one, drop it on the window");
     command->add_option("--size", a->size, "WIDTHxHEIGHT of the window")->type_name("WxH");
@@ -141,7 +140,7 @@ void add_open(CLI::App& app, int& exit_code) {
             "it, or whoever is measured to be faster at start")
         ->check(CLI::IsMember({"measured", "device", "window"}))
         ->type_name("WHO")
-        ->default_str("measured");
+        ->default_str("window");
     command->add_flag("--hdr", a->engine.present.hdr,
                       "where the graphics device shows the picture and the display has HDR10 or scRGB: with "
                       "its highlights");

@@ -82,8 +82,8 @@ void vulkan_failed(const char* call, const char* file, int line, VkResult result
 
 Result<std::unique_ptr<Device>> Device::create(const DeviceOptions& options) {
     std::unique_ptr<Device> device(new Device);
-    TRY(device->owned_, options.presents ? Instance::for_surfaces(options.validation)
-                                         : Instance::create(options.validation));
+    TRY(device->owned_,
+        options.presents ? Instance::for_surfaces(options.validation) : Instance::create(options.validation));
     device->instance_ = device->owned_->handle();
     TRY_VOID(device->choose_physical(options));
     device->make_device(options);
@@ -216,8 +216,7 @@ void Device::make_device(const DeviceOptions& options) {
         f13.pNext = &executables;
     }
     if (worker_ >= 0) extensions.push_back(VK_EXT_EXTERNAL_MEMORY_HOST_EXTENSION_NAME);
-    presents_ =
-        options.presents && owned_ && has_extension(physical_, VK_KHR_SWAPCHAIN_EXTENSION_NAME);
+    presents_ = options.presents && owned_ && has_extension(physical_, VK_KHR_SWAPCHAIN_EXTENSION_NAME);
     if (presents_) extensions.push_back(VK_KHR_SWAPCHAIN_EXTENSION_NAME);
     VkDeviceCreateInfo info{};
     info.sType = VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO;

@@ -90,8 +90,6 @@ private:
     void make_workers(const DeviceOptions& options);
 
     std::shared_ptr<Instance> owned_; // null: of a worker, whose instance lives as long as the program
-    VkInstance instance_ = VK_NULL_HANDLE;
-    bool presents_ = false;
     VkPhysicalDevice physical_ = VK_NULL_HANDLE;
     VkDevice device_ = VK_NULL_HANDLE;
     VkQueue queue_ = VK_NULL_HANDLE;
@@ -109,6 +107,8 @@ private:
     int worker_ = -1;
     double timestamp_period_ns_ = 1;
     UsedLimits limits_;
+    VkInstance instance_ = VK_NULL_HANDLE;
+    bool presents_ = false;
 };
 
 [[noreturn]] void vulkan_failed(const char* call, const char* file, int line, VkResult result);

@@ -18,9 +18,9 @@ namespace {
 
 constexpr const char* kValidationLayer = "VK_LAYER_KHRONOS_validation";
 // Those of one system or another, by name, for their headers are each system's own; and formats beyond sRGB.
-constexpr std::array<const char*, 7> kSurfaceExtensions{
-    "VK_KHR_surface",       "VK_KHR_xcb_surface",   "VK_KHR_xlib_surface",        "VK_KHR_wayland_surface",
-    "VK_KHR_win32_surface", "VK_EXT_metal_surface", "VK_EXT_swapchain_colorspace"};
+constexpr std::array<const char*, 8> kSurfaceExtensions{
+    "VK_KHR_surface",       "VK_KHR_xcb_surface",   "VK_KHR_xlib_surface",     "VK_KHR_wayland_surface",
+    "VK_KHR_win32_surface", "VK_EXT_metal_surface", "VK_EXT_headless_surface", "VK_EXT_swapchain_colorspace"};
 
 bool is_layer_there() {
     std::uint32_t count = 0;

@@ -199,8 +199,6 @@ struct Picture {
     std::size_t left_dark = 0; // heads that would shine at home, and nobody asks (Rig::leave_unasked_dark)
     FalseColour false_colour;  // what the image shows
     bool has_work_light = false;
-    bool is_image_older = false; // the image is one before: this one is on the device alone, while it moves
-    std::string shower;          // in words: who shows it, and why (link/surfaces.h); "": nothing is to be said
     bool is_baked = false; // from passes; its size is theirs
     std::string supply;    // in words: which passes, or why it is drawn live
     std::chrono::nanoseconds arrival{
@@ -321,9 +319,6 @@ struct Saved {
 struct Link {
     Mailbox<ViewRequest> request;
     Signal wake; // of the engine: after a request was put
-    Mailbox<SurfaceOffer> surface_offer;
-    Mailbox<std::vector<Surface>> surfaces; // all there are, after each change
-    Mailbox<ShowerNow> shower;
 
     News<Opened> opened;
     Mailbox<NotOpened> not_opened;
@@ -368,6 +363,11 @@ struct Link {
 
     // The engine calls it after it put something, on its own thread. Set before the engine starts.
     std::function<void()> on_news;
+
+    // Pictures that the graphics device shows itself (link/surfaces.h).
+    Mailbox<SurfaceOffer> surface_offer;
+    Mailbox<std::vector<Surface>> surfaces; // all there are, after each change
+    Mailbox<ShowerNow> shower;
 };
 
 } // namespace ghost::ui

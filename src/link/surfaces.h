@@ -35,15 +35,17 @@ struct Surface {
     glm::ivec2 size{0};       // pixels of the window there
     // Over the picture, in pixels: BGRA, premultiplied, that size; null: nothing.
     std::shared_ptr<const image::Image8> covers;
-    double paint_ms = 0;       // what the window takes to paint the picture with all that lies over it
+    double paint_ms = 0;        // what the window takes to paint the picture with all that lies over it
     double paint_covers_ms = 0; // without the picture
 };
 
 // Who shows them now, and why.
 struct ShowerNow {
     bool is_device = false;
-    bool is_decided = false;    // the device does, or the window does from now on; else it is being measured
-    std::uint64_t lost = 0;     // a surface that is to be made anew; 0: none is
+    bool is_decided = false; // the device does, or the window does from now on; else it is being measured
+    std::uint64_t lost = 0;  // a surface that is to be made anew; 0: none is
+    std::string words;       // that say so; "": nothing is to be said
+    std::string format;      // "HDR10", "scRGB", where the display shows more than white
     bool operator==(const ShowerNow&) const = default;
 };
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // A graphics device that is lost, for programs that load this library before all others (LD_PRELOAD): each
 // time that the file $FAKE_LOSS is there, it is removed, and what is to be drawn next is answered with
-// VK_ERROR_DEVICE_LOST. $FAKE_SURFACE_LOSS likewise: what is to be shown next, with VK_ERROR_SURFACE_LOST_KHR.
+// VK_ERROR_DEVICE_LOST. $FAKE_SURFACE_LOSS likewise: what is to be shown next, with
+// VK_ERROR_SURFACE_LOST_KHR.
 #include <cstdint>
 #include <cstdlib>
 #include <dlfcn.h>

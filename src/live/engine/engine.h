@@ -162,7 +162,7 @@ private:
     CameraPictures camera_pictures_{link_};
     LookPictures look_pictures_{link_};
     SideViews side_views_{link_};
-    Presentation presentation_{link_, options_.present}; // likewise
+    Presentation presentation_{link_, options_.present};       // likewise
     ui::FalseColour false_colour_;                             // of the picture that was published last
     fixture::Motion motion_ = fixture::Motion::as_the_machine; // of the show
     LivePicture live_{messages_};
@@ -179,8 +179,8 @@ private:
         scene::Camera camera;
         bool is_black = false, is_known = false;
         ui::UnseenStage news;
-    } unseen_;                // what was looked for last
-    std::string supply_sent_, shower_sent_;      // words of the picture that was published last
+    } unseen_;                                   // what was looked for last
+    std::string supply_sent_;                    // words of the picture that was published last
     std::shared_ptr<const image::Image8> image_; // likewise
     bool is_image_older_ = false;                // likewise
     std::size_t missing_maps_sent_ = 0;

@@ -252,8 +252,7 @@ void Engine::frame() {
     const bool is_other_measure = request_.false_colour != false_colour_;
     const bool rests_unread = is_image_older_ && !is_moving(begin_s);
     present((drew || is_other_measure) && request_.false_colour.measure == ui::Measure::none, draw_ms);
-    if (drew || is_other_measure || baked_.words() != supply_sent_ || has_more_maps || rests_unread ||
-        presentation_.words() != shower_sent_)
+    if (drew || is_other_measure || baked_.words() != supply_sent_ || has_more_maps || rests_unread)
         publish_picture(statistics, draw_ms);
     if (drew) {
         // Beside luminances and lux the picture itself takes no time.

@@ -86,8 +86,7 @@ std::shared_ptr<const image::Image8> Engine::window_image() {
     is_image_older_ = leaves_on_device(now_s());
     if (is_image_older_) return image_;
     const double begin_s = now_s();
-    const std::shared_ptr<image::Image8> image =
-        pictures_.take(relighter().width(), relighter().height(), 4);
+    const std::shared_ptr<image::Image8> image = pictures_.take(relighter().width(), relighter().height(), 4);
     relighter().copy_picture(*image);
     presentation_.note_read_ms(1e3 * (now_s() - begin_s));
     return image_ = image;
@@ -107,14 +106,11 @@ void Engine::publish_picture(const render::FrameStatistics& statistics, double d
     if (request_.false_colour.measure == ui::Measure::none) {
         picture.image = window_image();
     } else {
-        picture.image = image_ =
-            probe_.false_colours(request_.false_colour, shown(), !is_moving(now_s()));
+        picture.image = image_ = probe_.false_colours(request_.false_colour, shown(), !is_moving(now_s()));
         is_image_older_ = false;
         presentation_.take(*picture.image, shown_.framed);
         presentation_.show();
     }
-    picture.is_image_older = is_image_older_;
-    picture.shower = shower_sent_ = presentation_.words();
     if (!is_image_older_) shown_.is_black = picture.image && is_black(*picture.image);
     picture.false_colour = false_colour_ = request_.false_colour;
     picture.camera = shown_.camera;

@@ -29,8 +29,9 @@ std::string ms_text(double ms) {
     return text;
 }
 
+// A name of formats, the same in every language.
 std::string encoding_words(render::Encoding encoding) {
-    return encoding == render::Encoding::pq ? ", HDR10" : encoding == render::Encoding::scrgb ? ", scRGB" : "";
+    return encoding == render::Encoding::pq ? "HDR10" : encoding == render::Encoding::scrgb ? "scRGB" : "";
 }
 
 } // namespace
@@ -167,9 +168,8 @@ void Presentation::take(render::Relighter& relighter, const ui::Framed& framed) 
     if (!device_ || decided_ == false) return;
     is_of_device_ = true;
     is_light_ = options_.hdr && wants_light();
-    gpu::Texture& to =
-        texture_for(relighter.width(), relighter.height(),
-                    is_light_ ? VK_FORMAT_R16G16B16A16_SFLOAT : VK_FORMAT_R8G8B8A8_UNORM);
+    gpu::Texture& to = texture_for(relighter.width(), relighter.height(),
+                                   is_light_ ? VK_FORMAT_R16G16B16A16_SFLOAT : VK_FORMAT_R8G8B8A8_UNORM);
     commands_->begin();
     if (is_light_)
         relighter.put_light(*commands_, to, shared::kPeak_cd_m2 / shared::kWhite_cd_m2);
@@ -230,8 +230,8 @@ bool Presentation::show_on(Shown& shown) {
         surface.covers)) {
     case render::Screen::Shown::yes:
         shown.is_new = false;
-        if (!decided_) decide(true, "shown by the graphics device, as it was asked for" +
-                                        encoding_words(shown.screen->encoding()));
+        format_ = encoding_words(shown.screen->encoding());
+        if (!decided_) decide(true, "shown by the graphics device, as it was asked for");
         break;
     case render::Screen::Shown::later:
         break;
@@ -267,10 +267,10 @@ void Presentation::measure(Shown& shown) {
               ms_text(window_ms) + " ms by the window");
     if (is_device)
         decide(true, "shown by the graphics device in " + ms_text(device_ms) + " ms, by the window it took " +
-                         ms_text(window_ms) + " ms" + encoding_words(shown.screen->encoding()));
+                         ms_text(window_ms) + " ms");
     else
-        decide(false, "shown by the window in " + ms_text(window_ms) + " ms, by the graphics device it took " +
-                          ms_text(device_ms) + " ms");
+        decide(false, "shown by the window in " + ms_text(window_ms) +
+                          " ms, by the graphics device it took " + ms_text(device_ms) + " ms");
 }
 
 void Presentation::decide(bool is_device, std::string words) {
@@ -280,7 +280,7 @@ void Presentation::decide(bool is_device, std::string words) {
 }
 
 void Presentation::publish(std::uint64_t lost) {
-    link_.shower.put({decided_.value_or(false), decided_.has_value(), lost},
+    link_.shower.put({decided_.value_or(false), decided_.has_value(), lost, words_, format_},
                      [](const ui::ShowerNow& unread, ui::ShowerNow& next) {
                          if (next.lost == 0) next.lost = unread.lost;
                      });

@@ -102,7 +102,7 @@ private:
     double read_ms_ = 0;
     std::optional<bool> decided_; // the device shows them
     int losses_ = 0;
-    std::string words_;
+    std::string words_, format_;
 };
 
 } // namespace ghost::app

@@ -64,10 +64,10 @@ struct SessionOptions {
     std::uint32_t lights_per_dispatch = 0; // render::Settings
     bool pixels_on_processor = true;       // likewise
     gpu::LoweredLimits lowered_limits;     // gpu::DeviceOptions
-    bool presents = false;                 // likewise
     // Draw lights side by side where the device is a processor (gpu/workers.h): for pictures that move, whose
     // last bit may hang on the machine.
     bool workers = false;
+    bool presents = false; // gpu::DeviceOptions
     // Asked from time to time by whoever opens: true ends it with an error. Nothing: an interrupt does,
     // unless maps are made in the background.
     std::function<bool()> stop;

@@ -95,8 +95,7 @@ void Screen::destroy_swapchain() {
 
 VkSurfaceCapabilitiesKHR Screen::capabilities() {
     VkSurfaceCapabilitiesKHR can{};
-    const VkResult asked =
-        vkGetPhysicalDeviceSurfaceCapabilitiesKHR(device_.physical(), surface_, &can);
+    const VkResult asked = vkGetPhysicalDeviceSurfaceCapabilitiesKHR(device_.physical(), surface_, &can);
     if (asked == VK_ERROR_SURFACE_LOST_KHR)
         is_lost_ = true;
     else if (asked != VK_SUCCESS)
@@ -107,8 +106,8 @@ VkSurfaceCapabilitiesKHR Screen::capabilities() {
 bool Screen::find_format() {
     if (format_) return true;
     VkBool32 can = VK_FALSE;
-    const VkResult asked = vkGetPhysicalDeviceSurfaceSupportKHR(device_.physical(), device_.queue_family(),
-                                                                surface_, &can);
+    const VkResult asked =
+        vkGetPhysicalDeviceSurfaceSupportKHR(device_.physical(), device_.queue_family(), surface_, &can);
     if (asked != VK_SUCCESS || can == VK_FALSE) {
         why_never_ = "the graphics device does not reach this display";
         return false;

@@ -155,7 +155,7 @@ public:
     // meanwhile.
     void put_picture(gpu::Commands& commands, const gpu::Texture& to) const;
     void put_light(gpu::Commands& commands, const gpu::Texture& to, float peak);
-    image::ImageF frame();                      // RGB, linear Rec.2020, cd/m^2, glare included: read back
+    image::ImageF frame(); // RGB, linear Rec.2020, cd/m^2, glare included: read back
     float ev100_used() const;
     image::Tone tone() const { return settings_.tone; }
     std::uint64_t memory_bytes() const; // on the device
@@ -283,12 +283,9 @@ private:
     std::size_t next_painter_ = 0;
     gpu::LateProgram meter_;
     std::array<gpu::LateProgram, shared::kToneCount> develop_;
-    std::unique_ptr<gpu::Program> shown_light_; // made where a display wants it
     std::uint32_t wide_step_ = 1;
     bool uses_grid_ = false;
-    bool saw_ = true;                       // glare_ has made what is seen of the frame
-    bool reads_back_ = true;
-    mutable bool has_pixels_ = true; // pixels_ has the picture
+    bool saw_ = true; // glare_ has made what is seen of the frame
     std::unique_ptr<RoomLight> room_light_; // null: none
     LedWallPass led_walls_;
     LensPass lens_;
@@ -298,8 +295,11 @@ private:
     gpu::Buffer slides_upload_;
     shared::Gobos
         beam_pictures_; // its slides: what is in slides_, or on its way there; its texels: on_processor_
-    std::vector<std::size_t> new_slides_; // those on their way
-    std::uint64_t slide_bytes_ = 0;       // of one, all levels
+    std::vector<std::size_t> new_slides_;       // those on their way
+    std::uint64_t slide_bytes_ = 0;             // of one, all levels
+    std::unique_ptr<gpu::Program> shown_light_; // made where a display wants it
+    bool reads_back_ = true;
+    mutable bool has_pixels_ = true; // pixels_ has the picture
 };
 
 // Images that fit into a memory budget, at most what a full tree needs.

@@ -283,10 +283,8 @@ void Relighter::put_picture(gpu::Commands& commands, const gpu::Texture& to) con
 void Relighter::put_light(gpu::Commands& commands, const gpu::Texture& to, float peak) {
     CHECK(to.shape().width == seen().width && to.shape().height == seen().height);
     if (!std::exchange(saw_, true)) glare_.see(commands, frame_);
-    if (!shown_light_)
-        shown_light_ = std::make_unique<gpu::Program>(device_, shaders::kShader_shown_light);
-    commands.dispatch(*shown_light_,
-                      shared::ShownLightPush{static_cast<std::uint32_t>(settings_.tone), peak},
+    if (!shown_light_) shown_light_ = std::make_unique<gpu::Program>(device_, shaders::kShader_shown_light);
+    commands.dispatch(*shown_light_, shared::ShownLightPush{static_cast<std::uint32_t>(settings_.tone), peak},
                       shaders::ShownLightBindings{.frame = gpu::stored(glare_.seen(frame_)),
                                                   .exposure = gpu::uniform(exposure_),
                                                   .picture = gpu::stored(to)},

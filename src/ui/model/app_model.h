@@ -167,7 +167,6 @@ public:
     }
 
 Q_SIGNALS:
-    void news_came(); // after all of the others
     void opened_show();
     void failed(const QString& what);
     void not_opened(); // open_error says why; failed says it, too
@@ -196,6 +195,7 @@ Q_SIGNALS:
     void look_changed();
     void selection_changed();
     void marked_changed();
+    void news_came(); // after all of the others
 
 private:
     friend class LookStep;

@@ -66,7 +66,6 @@ QStringList Figures::lines() const {
                      .arg(cost.percentile_ms(0.5), 0, 'f', 1)
                      .arg(cost.percentile_ms(0.99), 0, 'f', 1);
     if (!picture.supply.empty()) lines << said(picture.supply);
-    if (!picture.shower.empty()) lines << said(picture.shower);
     return lines;
 }
 

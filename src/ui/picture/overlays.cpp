@@ -107,8 +107,7 @@ QRectF frame_rect(const QSizeF& widget, const glm::ivec2& frame) {
 }
 
 QRectF picture_rect(const QSizeF& widget, const scene::Camera& camera, const Framed& framed) {
-    const Rect at =
-        place_of_picture(widget.width(), widget.height(), {camera.width, camera.height}, framed);
+    const Rect at = place_of_picture(widget.width(), widget.height(), {camera.width, camera.height}, framed);
     return {at.x, at.y, at.width, at.height};
 }
 

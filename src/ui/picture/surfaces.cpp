@@ -56,6 +56,10 @@ PictureSurface::~PictureSurface() {
     std::erase(surfaces_.all_, this);
 }
 
+const ShowerNow& PictureSurface::shower() const {
+    return surfaces_.now_;
+}
+
 PictureSurface::Painting PictureSurface::painting() const {
     if (paints_covers_) return Painting::covers;
     const bool is_shown = window_ && surfaces_.state_ == Surfaces::State::device;
@@ -94,8 +98,8 @@ bool PictureSurface::eventFilter(QObject* object, QEvent* event) {
 }
 
 void PictureSurface::begin() {
-    if (window_ || !widget_.isVisible() || (surfaces_.state_ != Surfaces::State::measured &&
-                                            surfaces_.state_ != Surfaces::State::device))
+    if (window_ || !widget_.isVisible() ||
+        (surfaces_.state_ != Surfaces::State::measured && surfaces_.state_ != Surfaces::State::device))
         return;
     QWindow* const parent = widget_.window()->windowHandle();
     if (!parent || !parent->isVisible()) return;
@@ -159,9 +163,9 @@ void PictureSurface::paint_covers() {
     paints_covers_ = true;
     widget_.render(&image, QPoint(), QRegion(), QWidget::DrawChildren);
     paints_covers_ = false;
-    const glm::ivec2 pixels(size.width(), size.height());
-    if (surface_.covers && surface_.size == pixels && surface_.covers->samples == covers->samples) return;
-    surface_.size = pixels;
+    const glm::ivec2 of(size.width(), size.height());
+    if (surface_.covers && surface_.size == of && surface_.covers->samples == covers->samples) return;
+    surface_.size = of;
     surface_.covers = std::move(covers);
     surfaces_.send();
 }
@@ -174,7 +178,8 @@ void PictureSurface::measure() {
 }
 
 double PictureSurface::time_of(Painting what) {
-    QImage image(pixels(), what == Painting::all ? QImage::Format_RGB32 : QImage::Format_ARGB32_Premultiplied);
+    QImage image(pixels(),
+                 what == Painting::all ? QImage::Format_RGB32 : QImage::Format_ARGB32_Premultiplied);
     image.setDevicePixelRatio(widget_.devicePixelRatioF());
     std::array<double, kTimes> took_ms{};
     is_measuring_ = true;
@@ -208,13 +213,15 @@ void Surfaces::read_news() {
         for (PictureSurface* const one : all_) one->begin();
     const auto news = app_.link().shower.take();
     if (!news || state_ == State::window) return;
+    now_ = *news;
+    for (PictureSurface* const one : all_) one->widget_.update(); // which may say so
     if (news->is_decided && !news->is_device) {
         give_up();
         return;
     }
-    if (news->is_decided && std::exchange(state_, State::device) != State::device) {
+    if (news->is_decided) {
+        state_ = State::device;
         patience_.stop();
-        for (PictureSurface* const one : all_) one->widget_.update();
     }
     for (PictureSurface* const one : all_)
         if (news->lost > 0 && one->surface_.number == news->lost) {

@@ -68,6 +68,7 @@ public:
     ~PictureSurface() override;
 
     Painting painting() const;
+    const ShowerNow& shower() const;
     // Nobody sees what is painted now.
     bool is_measuring() const { return is_measuring_; }
 
@@ -90,7 +91,7 @@ private:
     Surfaces& surfaces_;
     QWidget& widget_;
     QPointer<SurfaceWindow> window_; // a child of that of the widget; null: there is none now
-    Surface surface_;                       // number 0: none
+    Surface surface_;                // number 0: none
     QTimer paint_timer_;
     bool paints_covers_ = false, is_measuring_ = false;
 };
@@ -101,7 +102,6 @@ public:
     // That of the window.
     static Surfaces& of(AppModel& app);
     explicit Surfaces(AppModel& app);
-    bool are_shown_by_device() const { return state_ == State::device; }
 
 private:
     friend class PictureSurface;
@@ -119,6 +119,7 @@ private:
 
     AppModel& app_;
     State state_ = State::none;
+    ShowerNow now_;
     std::shared_ptr<void> held_; // of instance_, and goes after it
     QVulkanInstance instance_;
     std::function<void(std::uint64_t)> let_go_;

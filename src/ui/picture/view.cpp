@@ -165,7 +165,7 @@ void View::paintEvent(QPaintEvent*) {
         paint_words(painter, drag_at_, value_words(*app_.show(), *mover_, mover_value_));
     if (drag_ == Drag::object) paint_words(painter, drag_at_, lamp_->words(moved_by_m_));
     if (picture.false_colour.measure != Measure::none) paint_legend(painter, size(), picture.false_colour);
-    const double figures_px = overlays.figures ? paint_figures(painter, size(), figures_.lines()) : 0;
+    const double figures_px = overlays.figures ? paint_figures(painter, size(), figure_lines()) : 0;
     if (overlays.chips) paint_chips(painter, size(), chips_of(app_), figures_px);
     if (overlays.probe && app_.probed()) paint_probe(painter, place, size(), *app_.probed());
     paint_box(painter);
@@ -180,6 +180,14 @@ void View::paintEvent(QPaintEvent*) {
         figures_.take_latency(latency);
         app_.count_latency(latency);
     }
+}
+
+QStringList View::figure_lines() const {
+    QStringList lines = figures_.lines();
+    const ShowerNow& now = surface_.shower();
+    if (!now.words.empty()) lines << said(now.words);
+    if (!now.format.empty()) lines.back() += ", " + QString::fromStdString(now.format);
+    return lines;
 }
 
 QStringList View::chip_words() const {

@@ -42,6 +42,10 @@ public:
     const Figures& figures() const { return figures_; }
     void reset_figures() { figures_.reset(); }
     double paint_ms() const { return paint_ms_; }
+    // Who shows the picture.
+    const ShowerNow& shower() const { return surface_.shower(); }
+    // What AppModel has of it may be one before.
+    bool is_picture_on_device() const { return surface_.shower().is_device && !app_.is_settled(); }
     // What the chips say, from left to right.
     QStringList chip_words() const;
     // Of the stage, under the mouse when it is there.
@@ -67,6 +71,7 @@ private:
     enum class Drag { none, undecided, orbit, turn, pan, box, lamp, object, mover, wipe };
 
     void take_picture();
+    QStringList figure_lines() const;
     void ask_for_size();
     void fly();
     // Of the picture that is shown; before the first one, that which is asked for.

@@ -356,7 +356,7 @@ void Window::show_shortcuts() {
 
 Result<void> Window::save_picture(const QString& file) {
     if (!app_.picture().image) return Error{"there is no picture yet", ""};
-    if (file.endsWith(".exr", Qt::CaseInsensitive) || app_.picture().is_image_older) {
+    if (file.endsWith(".exr", Qt::CaseInsensitive) || view_->is_picture_on_device()) {
         // The engine has the linear values, and the newest picture; it says when they are there.
         app_.change_request([&](ViewRequest& request) {
             ++request.save_frame.number;

@@ -52,8 +52,8 @@ protected:
     }
 
     PresentPass pass_{device()};
-    const SurfaceFormat plain_{
-        {VK_FORMAT_R8G8B8A8_UNORM, VK_COLOR_SPACE_SRGB_NONLINEAR_KHR}, VK_FORMAT_R8G8B8A8_UNORM};
+    const SurfaceFormat plain_{{VK_FORMAT_R8G8B8A8_UNORM, VK_COLOR_SPACE_SRGB_NONLINEAR_KHR},
+                               VK_FORMAT_R8G8B8A8_UNORM};
 };
 
 Pixel8 gradient(std::uint32_t x, std::uint32_t y) {
@@ -73,8 +73,7 @@ TEST_F(PresentPassTest, a_picture_that_fits_is_shown_byte_for_byte) {
 }
 
 TEST_F(PresentPassTest, beside_it_all_is_black) {
-    const gpu::Texture picture =
-        picture_of(4, 2, [](auto, auto) { return Pixel8{255, 255, 255, 255}; });
+    const gpu::Texture picture = picture_of(4, 2, [](auto, auto) { return Pixel8{255, 255, 255, 255}; });
     const auto texels = shown<Pixel8>({&picture}, {2, 1, 4, 2}, nullptr, plain_);
     for (std::uint32_t y = 0; y < kHeight; ++y)
         for (std::uint32_t x = 0; x < kWidth; ++x) {
@@ -100,11 +99,13 @@ TEST_F(PresentPassTest, a_coarse_picture_is_smoothed_and_a_fine_one_averaged) {
 }
 
 TEST_F(PresentPassTest, what_covers_it_lies_over_it_as_a_window_has_it) {
-    const gpu::Texture picture = picture_of(kWidth, kHeight, [](auto, auto) { return Pixel8{100, 50, 200, 255}; });
+    const gpu::Texture picture = picture_of(kWidth, kHeight, [](auto, auto) {
+        return Pixel8{100, 50, 200, 255};
+    });
     gpu::Texture covers(device(), {kWidth, kHeight, 1, 1, VK_FORMAT_B8G8R8A8_UNORM, false, false});
     std::vector<Pixel8> over(kWidth * kHeight, Pixel8{0, 0, 0, 0});
-    over[1] = {0, 0, 255, 255};     // red, for blue stands first
-    over[2] = {0, 64, 0, 128};      // half of dark green
+    over[1] = {0, 0, 255, 255}; // red, for blue stands first
+    over[2] = {0, 64, 0, 128};  // half of dark green
     covers.write(0, over.data(), over.size() * sizeof(Pixel8));
     const auto texels = shown<Pixel8>({&picture}, {0, 0, kWidth, kHeight}, &covers, plain_);
     EXPECT_EQ(texels[0], (Pixel8{100, 50, 200, 255}));
@@ -126,17 +127,19 @@ TEST_F(PresentPassTest, hdr10_shows_white_as_bright_as_paper) {
                         : Pixel8{static_cast<std::uint8_t>(30 * x), 60, 90, 255};
     });
     SurfaceFormat pq{{VK_FORMAT_A2B10G10R10_UNORM_PACK32, VK_COLOR_SPACE_HDR10_ST2084_EXT},
-                     VK_FORMAT_A2B10G10R10_UNORM_PACK32, false, Encoding::pq};
-    if (device().first_format(std::array{pq.drawn, VK_FORMAT_UNDEFINED}, VK_FORMAT_FEATURE_STORAGE_IMAGE_BIT) !=
-        pq.drawn)
+                     VK_FORMAT_A2B10G10R10_UNORM_PACK32,
+                     false,
+                     Encoding::pq};
+    if (device().first_format(std::array{pq.drawn, VK_FORMAT_UNDEFINED},
+                              VK_FORMAT_FEATURE_STORAGE_IMAGE_BIT) != pq.drawn)
         GTEST_SKIP() << "no shader stores to ten bits on this device";
     const auto texels = shown<std::uint32_t>({&picture}, {0, 0, kWidth, kHeight}, nullptr, pq);
     for (std::uint32_t x = 0; x < kWidth; ++x) {
         const glm::vec3 srgb = x == 0   ? glm::vec3(1)
                                : x == 1 ? glm::vec3(1, 0, 0)
                                         : glm::vec3(30.0f * static_cast<float>(x), 60, 90) / 255.0f;
-        const glm::vec3 wanted = shared::encode_light(
-            shared::rec2020_of_rec709() * shared::srgb_decode(srgb), shared::kEncodePq);
+        const glm::vec3 wanted =
+            shared::encode_light(shared::rec2020_of_rec709() * shared::srgb_decode(srgb), shared::kEncodePq);
         for (int c = 0; c < 3; ++c) {
             const std::uint32_t ten = (texels[x] >> (10 * c)) & 1023u;
             EXPECT_NEAR(static_cast<float>(ten), 1023.0f * wanted[c], 1.5f) << x << ", " << c;
@@ -159,7 +162,9 @@ TEST_F(PresentPassTest, scrgb_is_linear_and_goes_on_above_white) {
     }
     light.write(0, texels.data(), texels.size() * sizeof texels[0]);
     const SurfaceFormat scrgb{{VK_FORMAT_R16G16B16A16_SFLOAT, VK_COLOR_SPACE_EXTENDED_SRGB_LINEAR_EXT},
-                              VK_FORMAT_R16G16B16A16_SFLOAT, false, Encoding::scrgb};
+                              VK_FORMAT_R16G16B16A16_SFLOAT,
+                              false,
+                              Encoding::scrgb};
     const auto there = shown<std::uint64_t>({&light, true}, {0, 0, kWidth, kHeight}, nullptr, scrgb);
     for (std::uint32_t x = 0; x < kWidth; ++x) {
         const glm::vec4 texel = glm::unpackHalf4x16(there[x]);

@@ -48,8 +48,8 @@ TEST(SurfaceChoice, hdr_is_taken_where_it_is_wanted_and_offered) {
 TEST(SurfaceChoice, nothing_is_chosen_of_what_nobody_knows) {
     EXPECT_FALSE(choose_format(Formats{}, false));
     EXPECT_FALSE(choose_format(Formats{{VK_FORMAT_R5G6B5_UNORM_PACK16, kSrgb}}, true));
-    EXPECT_FALSE(choose_format(
-        Formats{{VK_FORMAT_B8G8R8A8_UNORM, VK_COLOR_SPACE_DISPLAY_P3_NONLINEAR_EXT}}, false));
+    EXPECT_FALSE(
+        choose_format(Formats{{VK_FORMAT_B8G8R8A8_UNORM, VK_COLOR_SPACE_DISPLAY_P3_NONLINEAR_EXT}}, false));
 }
 
 TEST(SurfaceChoice, mailbox_before_fifo) {
