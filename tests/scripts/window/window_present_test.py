@@ -52,26 +52,18 @@ class Present(unittest.TestCase):
         return screen()[y:y + height, x:x + width]
 
     def painted(self, window):
-        """The same as the window itself would paint it."""
+        """The same as the window itself would paint it. The picture reaches to the window's right border; what stands above it is as high
+        as makes both most alike."""
         file = WORK / "painted.png"
         window.do("wait settled", f'screenshot "{file}"')
-        left, top = self.corner(window)
-        x, y, width, height = window.place()
-        return read(file)[y - top:y - top + height, x - left:x - left + width]
-
-    def corner(self, window):
-        """Of the window on the screen, without what a window manager puts round it."""
-        if not self.manager:
-            return 0, 0
-        found = subprocess.run(["xdotool", "search", "--onlyvisible", "--pid", str(window.process.pid)], env=dict(os.environ, DISPLAY=window_driver.DISPLAY),
-                               capture_output=True, text=True, check=True).stdout.split()
-        largest = (0, 0, 0)
-        for one in found:
-            words = subprocess.run(["xdotool", "getwindowgeometry", "--shell", one], env=dict(os.environ, DISPLAY=window_driver.DISPLAY), capture_output=True,
-                                   text=True, check=True).stdout.splitlines()
-            of = {word.split("=")[0]: int(word.split("=")[1]) for word in words if "=" in word and word.split("=")[1].lstrip("-").isdigit()}
-            largest = max(largest, (of["WIDTH"] * of["HEIGHT"], of["X"], of["Y"]))
-        return largest[1:]
+        own, seen = read(file), self.seen(window)
+        height, width = seen.shape[:2]
+        left = own.shape[1] - width
+        if own.shape not in self.tops:
+            rows = range(own.shape[0] - height + 1)
+            self.tops[own.shape] = min(rows, key=lambda row: changed(own[row:row + height, left:], seen))
+        top = self.tops[own.shape]
+        return own[top:top + height, left:]
 
     def differs(self, window):
         a, b = self.seen(window), self.painted(window)
@@ -81,7 +73,7 @@ class Present(unittest.TestCase):
                    for y in range(0, a.shape[0], BLOCK) for x in range(0, a.shape[1], BLOCK))
 
     def until_alike(self, window, what):
-        until_s = time.monotonic() + 120
+        until_s = time.monotonic() + 60
         while (by := self.differs(window)) > ALIKE:
             if time.monotonic() > until_s:
                 self.keep(window, f"unlike-{what.replace(' ', '-')}")
@@ -95,6 +87,7 @@ class Present(unittest.TestCase):
 
     def setUp(self):
         self.manager = None
+        self.tops = {}  # of the picture in the window, by the window's size
 
     def tearDown(self):
         if self.manager:
