@@ -67,6 +67,8 @@ Screen::Screen(const gpu::Device& device, const PresentPass& pass, VkSurfaceKHR 
 
 Screen::~Screen() {
     let_go();
+    // Showing may still wait for semaphores; of a lost device nothing does.
+    (void)vkQueueWaitIdle(device_.queue());
     for (const VkSemaphore one : drawn_) vkDestroySemaphore(device_.handle(), one, nullptr);
 }
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Screen: a surface of a window that a device shows pictures on: the swapchain, what lies over the picture,
 // and the step that puts both together (shaders/present/present.comp). It never waits for the display: where
-// no image is free the picture is shown at the next try. One thread; the device, and the surface until
-// let_go(), must outlive it.
+// no image is free the picture is shown at the next try. The thread that has the queue; the device, and the
+// surface until let_go(), must outlive it.
 
 #include "gpu/commands.h"
 #include "gpu/texture.h"

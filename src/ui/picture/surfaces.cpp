@@ -36,6 +36,8 @@ bool SurfaceWindow::event(QEvent* event) {
         static_cast<QPlatformSurfaceEvent*>(event)->surfaceEventType() ==
             QPlatformSurfaceEvent::SurfaceAboutToBeDestroyed)
         of_.lose();
+    // What lay over it went: a display keeps nothing of what it covered.
+    if (event->type() == QEvent::Expose && !is_forgotten_ && isExposed()) of_.show_again();
     return QWindow::event(event);
 }
 
@@ -127,6 +129,10 @@ void PictureSurface::end() {
     lose();
     delete window_;
     widget_.update();
+}
+
+void PictureSurface::show_again() {
+    if (surface_.number > 0 && surface_.covers) surfaces_.send();
 }
 
 void PictureSurface::lose() {

@@ -83,6 +83,7 @@ private:
     void end();
     void place();
     void lose(); // Qt takes its window away
+    void show_again();
     void paint_covers();
     void measure();
     double time_of(Painting what);

@@ -156,6 +156,9 @@ class Present(unittest.TestCase):
                 time.sleep(0.5)
             if window_driver.PICTURES:
                 Image.fromarray(screen().astype(numpy.uint8)).save(window_driver.PICTURES / "present-second.png")
+            # What it had covered is shown again.
+            window.xdo("windowmove", found[-1], SIZE[0], 500)
+            self.until_alike(window, "uncovered")
             window.do("second-display off", "wait 0.5")
             self.until_alike(window, "the second one went")
         finally:
