@@ -7258,6 +7258,42 @@ Bitte den Namen des Ordners prüfen.</translation>
         <source>hands have them so: %1</source>
         <translation>von Hand: %1</translation>
     </message>
+    <message>
+        <source>shown by the graphics device in %1 ms, by the window it took %2 ms</source>
+        <translation>vom Grafikgerät in %1 ms gezeigt, vom Fenster dauerte es %2 ms</translation>
+    </message>
+    <message>
+        <source>shown by the window in %1 ms, by the graphics device it took %2 ms</source>
+        <translation>vom Fenster in %1 ms gezeigt, vom Grafikgerät dauerte es %2 ms</translation>
+    </message>
+    <message>
+        <source>shown by the graphics device, as it was asked for</source>
+        <translation>vom Grafikgerät gezeigt, wie verlangt</translation>
+    </message>
+    <message>
+        <source>shown by the window: the graphics device has no displays</source>
+        <translation>vom Fenster gezeigt: das Grafikgerät kennt keine Bildschirme</translation>
+    </message>
+    <message>
+        <source>shown by the window: the display lost its surface too often</source>
+        <translation>vom Fenster gezeigt: der Bildschirm verlor seine Fläche zu oft</translation>
+    </message>
+    <message>
+        <source>shown by the window: the display&apos;s surface says nothing of itself</source>
+        <translation>vom Fenster gezeigt: die Fläche des Bildschirms sagt nichts über sich</translation>
+    </message>
+    <message>
+        <source>shown by the window: the graphics device does not reach this display</source>
+        <translation>vom Fenster gezeigt: das Grafikgerät erreicht diesen Bildschirm nicht</translation>
+    </message>
+    <message>
+        <source>shown by the window: the display has no format that is known here</source>
+        <translation>vom Fenster gezeigt: der Bildschirm hat kein Format, das hier bekannt ist</translation>
+    </message>
+    <message>
+        <source>shown by the window: nothing can be copied to the display&apos;s pictures</source>
+        <translation>vom Fenster gezeigt: in die Bilder des Bildschirms lässt sich nichts kopieren</translation>
+    </message>
 </context>
 <context>
     <name>Transport</name>

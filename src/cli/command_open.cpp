@@ -128,6 +128,22 @@ void add_open(CLI::App& app, int& exit_code) {
     command
         ->add_option("--device", a->engine.session.device, "Vulkan device: part of its name, or its number")
         ->type_name("NAME");
+    command
+        ->add_option_function<std::string>(
+            "--present",
+            [a](const std::string& who) {
+                a->engine.present.shower = who == "device"   ? ui::Shower::device
+                                           : who == "window" ? ui::Shower::window
+                                                             : ui::Shower::measured;
+            },
+            "who shows the picture: the graphics device itself, the window, which reads it back and paints "
+            "it, or whoever is measured to be faster at start")
+        ->check(CLI::IsMember({"measured", "device", "window"}))
+        ->type_name("WHO")
+        ->default_str("window");
+    command->add_flag("--hdr", a->engine.present.hdr,
+                      "where the graphics device shows the picture and the display has HDR10 or scRGB: with "
+                      "its highlights");
     command->add_flag("--validation", a->engine.session.validation, "check our use of Vulkan");
     command
         ->add_option("--shaders", a->engine.session.shaders,

@@ -307,7 +307,7 @@ void Commands::submit_and_wait() {
     wait();
 }
 
-void Commands::submit() {
+void Commands::submit(VkSemaphore after, VkSemaphore done) {
     const auto count = static_cast<std::uint32_t>(names_.size());
     if (count > 0) write_timestamp(device_, commands_, queries_, count);
     barrier();
@@ -317,8 +317,17 @@ void Commands::submit() {
     VkCommandBufferSubmitInfo buffer{};
     buffer.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_SUBMIT_INFO;
     buffer.commandBuffer = commands_;
+    VkSemaphoreSubmitInfo waits{}, signals{};
+    waits.sType = signals.sType = VK_STRUCTURE_TYPE_SEMAPHORE_SUBMIT_INFO;
+    waits.stageMask = signals.stageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT;
+    waits.semaphore = after;
+    signals.semaphore = done;
     VkSubmitInfo2 submit{};
     submit.sType = VK_STRUCTURE_TYPE_SUBMIT_INFO_2;
+    submit.waitSemaphoreInfoCount = after != VK_NULL_HANDLE ? 1 : 0;
+    submit.pWaitSemaphoreInfos = &waits;
+    submit.signalSemaphoreInfoCount = done != VK_NULL_HANDLE ? 1 : 0;
+    submit.pSignalSemaphoreInfos = &signals;
     submit.commandBufferInfoCount = 1;
     submit.pCommandBufferInfos = &buffer;
     ++device_.work().submissions;

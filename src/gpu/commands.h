@@ -145,7 +145,9 @@ public:
     void begin_span(const std::string& name); // up to the next begin_span or the end
     void submit_and_wait();                   // nothing where nothing was recorded
     // Its two halves, for what runs beside: between them nothing is recorded here.
-    void submit();
+    void submit() { submit(VK_NULL_HANDLE, VK_NULL_HANDLE); }
+    // Likewise, begun when one semaphore is signalled; the other one is when it is done.
+    void submit(VkSemaphore after, VkSemaphore done);
     void wait();
 
     // For a command that may have to be waited for.

@@ -19,8 +19,6 @@
 namespace ghost::gpu {
 namespace {
 
-constexpr const char* kValidationLayer = "VK_LAYER_KHRONOS_validation";
-
 bool has_extension(VkPhysicalDevice physical, const char* wanted) {
     std::uint32_t count = 0;
     vkEnumerateDeviceExtensionProperties(physical, nullptr, &count, nullptr);
@@ -82,19 +80,11 @@ void vulkan_failed(const char* call, const char* file, int line, VkResult result
                              " failed with VkResult " + std::to_string(static_cast<int>(result)));
 }
 
-VKAPI_ATTR VkBool32 VKAPI_CALL Device::on_validation(VkDebugUtilsMessageSeverityFlagBitsEXT,
-                                                     VkDebugUtilsMessageTypeFlagsEXT,
-                                                     const VkDebugUtilsMessengerCallbackDataEXT* data,
-                                                     void* user) {
-    ++static_cast<Device*>(user)->validation_errors_;
-    for (const std::string_view line : split(data->pMessage, '\n'))
-        log_error("Vulkan validation: " + std::string(line));
-    return VK_FALSE;
-}
-
 Result<std::unique_ptr<Device>> Device::create(const DeviceOptions& options) {
     std::unique_ptr<Device> device(new Device);
-    TRY_VOID(device->make_instance(options.validation));
+    TRY(device->owned_,
+        options.presents ? Instance::for_surfaces(options.validation) : Instance::create(options.validation));
+    device->instance_ = device->owned_->handle();
     TRY_VOID(device->choose_physical(options));
     device->make_device(options);
     if (!options.shaders.empty()) device->shaders_ = std::make_unique<ShaderFolder>(options.shaders);
@@ -144,49 +134,6 @@ VkFormat Device::first_format(std::span<const VkFormat> formats, VkFormatFeature
         if ((properties.optimalTilingFeatures & wanted) == wanted) return format;
     }
     return formats.back();
-}
-
-Result<void> Device::make_instance(bool validation) {
-    std::vector<const char*> layers;
-    std::vector<const char*> extensions;
-    if (validation) {
-        std::uint32_t count = 0;
-        vkEnumerateInstanceLayerProperties(&count, nullptr);
-        std::vector<VkLayerProperties> all(count);
-        vkEnumerateInstanceLayerProperties(&count, all.data());
-        const bool there = std::any_of(all.begin(), all.end(), [](const VkLayerProperties& layer) {
-            return std::strcmp(layer.layerName, kValidationLayer) == 0;
-        });
-        if (!there)
-            return Error{"the Vulkan validation layer is not installed (package vulkan-validationlayers)",
-                         ""};
-        layers.push_back(kValidationLayer);
-        extensions.push_back(VK_EXT_DEBUG_UTILS_EXTENSION_NAME);
-    }
-    VkApplicationInfo application{
-        VK_STRUCTURE_TYPE_APPLICATION_INFO, nullptr, "ghostlight", 1, "ghostlight", 1, VK_API_VERSION_1_3};
-    VkInstanceCreateInfo info{};
-    info.sType = VK_STRUCTURE_TYPE_INSTANCE_CREATE_INFO;
-    info.pApplicationInfo = &application;
-    info.enabledLayerCount = static_cast<std::uint32_t>(layers.size());
-    info.ppEnabledLayerNames = layers.data();
-    info.enabledExtensionCount = static_cast<std::uint32_t>(extensions.size());
-    info.ppEnabledExtensionNames = extensions.data();
-    if (vkCreateInstance(&info, nullptr, &instance_) != VK_SUCCESS)
-        return Error{"no Vulkan driver found; Mesa's software driver is Debian's package mesa-vulkan-drivers",
-                     ""};
-    if (validation) {
-        VkDebugUtilsMessengerCreateInfoEXT messenger{};
-        messenger.sType = VK_STRUCTURE_TYPE_DEBUG_UTILS_MESSENGER_CREATE_INFO_EXT;
-        messenger.messageSeverity = VK_DEBUG_UTILS_MESSAGE_SEVERITY_ERROR_BIT_EXT;
-        messenger.messageType = VK_DEBUG_UTILS_MESSAGE_TYPE_VALIDATION_BIT_EXT;
-        messenger.pfnUserCallback = &Device::on_validation;
-        messenger.pUserData = this;
-        const auto create = reinterpret_cast<PFN_vkCreateDebugUtilsMessengerEXT>(
-            vkGetInstanceProcAddr(instance_, "vkCreateDebugUtilsMessengerEXT"));
-        VK_CALL(create(instance_, &messenger, nullptr, &messenger_));
-    }
-    return {};
 }
 
 Result<void> Device::choose_physical(const DeviceOptions& options) {
@@ -279,6 +226,8 @@ void Device::make_device(const DeviceOptions& options) {
         f13.pNext = &executables;
     }
     if (worker_ >= 0) extensions.push_back(VK_EXT_EXTERNAL_MEMORY_HOST_EXTENSION_NAME);
+    presents_ = options.presents && owned_ && has_extension(physical_, VK_KHR_SWAPCHAIN_EXTENSION_NAME);
+    if (presents_) extensions.push_back(VK_KHR_SWAPCHAIN_EXTENSION_NAME);
     VkDeviceCreateInfo info{};
     info.sType = VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO;
     info.pNext = &features;
@@ -312,12 +261,6 @@ Device::~Device() {
         memory_.reset();
         vkDestroyDevice(device_, nullptr);
     }
-    if (messenger_ != VK_NULL_HANDLE) {
-        const auto destroy = reinterpret_cast<PFN_vkDestroyDebugUtilsMessengerEXT>(
-            vkGetInstanceProcAddr(instance_, "vkDestroyDebugUtilsMessengerEXT"));
-        destroy(instance_, messenger_, nullptr);
-    }
-    if (instance_ != VK_NULL_HANDLE && worker_ < 0) vkDestroyInstance(instance_, nullptr);
 }
 
 } // namespace ghost::gpu

@@ -6,10 +6,10 @@
 // thread.
 
 #include "base/result.h"
+#include "gpu/instance.h"
 #include "gpu/needed_limits.h"
 #include "gpu/shader.h"
 
-#include <atomic>
 #include <memory>
 #include <span>
 #include <string>
@@ -39,6 +39,7 @@ struct DeviceOptions {
     LoweredLimits lowered_limits;     // none
     bool workers = false;       // make those that there can be (gpu/workers.h); not where memory is limited
     std::string kept_pipelines; // a folder for them (gpu/pipeline_cache.h); empty: none is kept
+    bool presents = false;      // its pictures may go to surfaces, where it can do that
 };
 
 class Device {
@@ -70,7 +71,9 @@ public:
     double timestamp_period_ns() const { return timestamp_period_ns_; }
     const UsedLimits& limits() const { return limits_; }
     bool keeps_pipeline_statistics() const { return keeps_pipeline_statistics_; }
-    std::size_t validation_errors() const { return validation_errors_; }
+    std::size_t validation_errors() const { return owned_ ? owned_->validation_errors() : 0; }
+    // That surfaces are made of (Instance::for_surfaces); null: its pictures cannot go to any.
+    std::shared_ptr<Instance> instance_of_surfaces() const { return presents_ ? owned_ : nullptr; }
 
     // Devices beside this one, of a processor; empty: none.
     std::span<const std::unique_ptr<Device>> workers() const { return workers_; }
@@ -82,16 +85,11 @@ public:
 
 private:
     Device();
-    static VKAPI_ATTR VkBool32 VKAPI_CALL on_validation(VkDebugUtilsMessageSeverityFlagBitsEXT,
-                                                        VkDebugUtilsMessageTypeFlagsEXT,
-                                                        const VkDebugUtilsMessengerCallbackDataEXT*, void*);
-    Result<void> make_instance(bool validation);
     Result<void> choose_physical(const DeviceOptions& options);
     void make_device(const DeviceOptions& options);
     void make_workers(const DeviceOptions& options);
 
-    VkInstance instance_ = VK_NULL_HANDLE;
-    VkDebugUtilsMessengerEXT messenger_ = VK_NULL_HANDLE;
+    std::shared_ptr<Instance> owned_; // null: of a worker, whose instance lives as long as the program
     VkPhysicalDevice physical_ = VK_NULL_HANDLE;
     VkDevice device_ = VK_NULL_HANDLE;
     VkQueue queue_ = VK_NULL_HANDLE;
@@ -109,7 +107,8 @@ private:
     int worker_ = -1;
     double timestamp_period_ns_ = 1;
     UsedLimits limits_;
-    std::atomic<std::size_t> validation_errors_ = 0; // drivers are called on several threads
+    VkInstance instance_ = VK_NULL_HANDLE;
+    bool presents_ = false;
 };
 
 [[noreturn]] void vulkan_failed(const char* call, const char* file, int line, VkResult result);

@@ -16,6 +16,7 @@
 #include "link/look.h"
 #include "link/news.h"
 #include "link/rdm.h"
+#include "link/surfaces.h"
 #include "show/bounce_detail.h"
 #include "show/camera.h"
 #include "show_folder/hang.h"
@@ -362,6 +363,11 @@ struct Link {
 
     // The engine calls it after it put something, on its own thread. Set before the engine starts.
     std::function<void()> on_news;
+
+    // Pictures that the graphics device shows itself (link/surfaces.h).
+    Mailbox<SurfaceOffer> surface_offer;
+    Mailbox<std::vector<Surface>> surfaces; // all there are, after each change
+    Mailbox<ShowerNow> shower;
 };
 
 } // namespace ghost::ui

@@ -35,6 +35,10 @@ public:
         for_second_ = wanted;
     }
     std::optional<T> take_second() { return second_.take(); }
+    bool is_for_second() const {
+        const std::lock_guard lock(mutex_);
+        return for_second_;
+    }
 
 private:
     template <class Carry>
@@ -45,7 +49,7 @@ private:
     }
 
     Mailbox<T> first_, second_;
-    std::mutex mutex_;
+    mutable std::mutex mutex_;
     bool for_second_ = false;
     std::optional<T> kept_;
 };

@@ -108,6 +108,7 @@ void Engine::draw_with_less(const std::string& why) {
     probe_.forget();
     forget_beside();
     look_.reset();
+    presentation_.end();
     session_->stop_drawing(); // else what is there now and what comes would be there at once
     options_.session.image_memory_bytes /= 8;
     std::uint64_t most = used;
@@ -191,6 +192,7 @@ SessionOptions Engine::session_options(const std::string& path) const {
     options.beams.grid = true; // while things move
     options.parks = true;
     options.keep_hidden = true;
+    options.presents = presentation_.wants_device();
     options.bake = false;
     options.stop = [this] { return stop_.load(); };
     options.width = 320; // until the window says how large it is
@@ -203,8 +205,10 @@ void Engine::adopt(std::unique_ptr<Session> session, Opening::Kind kind) {
     probe_.forget();
     forget_beside();
     look_.reset();
+    presentation_.end();
     std::unique_ptr<Session> session_before = std::exchange(session_, std::move(session));
     drawn_text_ = text_;
+    presentation_.begin(*session_->device);
     if (kind != Opening::Kind::another && session_before)
         session_->rig->go_on_from(*session_before->rig,
                                   scene::same_fixtures(*session_before->show, *session_->show));

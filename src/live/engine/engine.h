@@ -22,6 +22,7 @@
 #include "live/engine/side_views.h"
 #include "live/inputs/live_input.h"
 #include "live/inputs/rdm_heads.h"
+#include "live/present/presentation.h"
 #include "live/session/applied_look.h"
 #include "live/session/opening.h"
 #include "live/session/session.h"
@@ -45,6 +46,7 @@ struct EngineOptions {
     std::string sound;                     // output of the show's sound (show_sound.h); empty: none
     std::optional<XchangeOptions> xchange; // where plots come from
     bool takes_plots = false;              // at once, without asking
+    PresentationOptions present;
 };
 
 // Once in a program that will have an engine, before it has other threads (gpu/workers.h).
@@ -119,6 +121,11 @@ private:
     // engine_news.cpp
     void publish_opened(Opening::Kind kind);
     void publish_picture(const render::FrameStatistics& statistics, double draw_ms);
+    // What a window may paint.
+    std::shared_ptr<const image::Image8> window_image();
+    // The device shows the pictures, and this one moves: nobody asks for its bytes.
+    bool leaves_on_device(double now_s) const;
+    void present(bool is_new, double draw_ms); // the picture is
     void publish_rest(double now_s, bool drew);
     void tell_unseen(double now_s); // once when the camera rests
 
@@ -155,6 +162,7 @@ private:
     CameraPictures camera_pictures_{link_};
     LookPictures look_pictures_{link_};
     SideViews side_views_{link_};
+    Presentation presentation_{link_, options_.present};       // likewise
     ui::FalseColour false_colour_;                             // of the picture that was published last
     fixture::Motion motion_ = fixture::Motion::as_the_machine; // of the show
     LivePicture live_{messages_};
@@ -171,8 +179,10 @@ private:
         scene::Camera camera;
         bool is_black = false, is_known = false;
         ui::UnseenStage news;
-    } unseen_;                // what was looked for last
-    std::string supply_sent_; // words of the picture that was published last
+    } unseen_;                                   // what was looked for last
+    std::string supply_sent_;                    // words of the picture that was published last
+    std::shared_ptr<const image::Image8> image_; // likewise
+    bool is_image_older_ = false;                // likewise
     std::size_t missing_maps_sent_ = 0;
     double last_step_s_ = 0;
     double air_s_ = 0; // age of the swirls

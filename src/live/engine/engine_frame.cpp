@@ -237,6 +237,7 @@ void Engine::frame() {
     shown_.lights = std::move(lit);
     air_s_ += dt_s;
     if (switched && baked) baked_.view().relighter().forget(); // it may rest
+    relighter().set_reads_back(!leaves_on_device(begin_s));
     const render::FrameStatistics statistics =
         baked ? draw_baked(wanted, begin_s) : draw_live(wanted, begin_s);
     if (baked) {
@@ -248,7 +249,10 @@ void Engine::frame() {
     const bool drew = !statistics.spans.empty() && !statistics.stopped;
     // The map of a lamp that is dark changes no picture, and is one less to come all the same.
     const bool has_more_maps = !statistics.stopped && session_->live->missing_maps() != missing_maps_sent_;
-    if (drew || request_.false_colour != false_colour_ || baked_.words() != supply_sent_ || has_more_maps)
+    const bool is_other_measure = request_.false_colour != false_colour_;
+    const bool rests_unread = is_image_older_ && !is_moving(begin_s);
+    present((drew || is_other_measure) && request_.false_colour.measure == ui::Measure::none, draw_ms);
+    if (drew || is_other_measure || baked_.words() != supply_sent_ || has_more_maps || rests_unread)
         publish_picture(statistics, draw_ms);
     if (drew) {
         // Beside luminances and lux the picture itself takes no time.

@@ -78,17 +78,40 @@ void Engine::tell_unseen(double now_s) {
     link_.on_news();
 }
 
+bool Engine::leaves_on_device(double now_s) const {
+    return presentation_.is_by_device() && is_moving(now_s) && image_ && !link_.picture.is_for_second();
+}
+
+std::shared_ptr<const image::Image8> Engine::window_image() {
+    is_image_older_ = leaves_on_device(now_s());
+    if (is_image_older_) return image_;
+    const double begin_s = now_s();
+    const std::shared_ptr<image::Image8> image = pictures_.take(relighter().width(), relighter().height(), 4);
+    relighter().copy_picture(*image);
+    presentation_.note_read_ms(1e3 * (now_s() - begin_s));
+    return image_ = image;
+}
+
+void Engine::present(bool is_new, double draw_ms) {
+    constexpr double kQuick_ms = 150;
+    presentation_.offer(image_ && (draw_ms < kQuick_ms || settled_ == request_.number));
+    presentation_.listen();
+    const bool again = presentation_.wants_again() && settled_ == request_.number;
+    if (is_new || again) presentation_.take(relighter(), shown_.framed);
+    presentation_.show();
+}
+
 void Engine::publish_picture(const render::FrameStatistics& statistics, double draw_ms) {
     ui::Picture picture;
     if (request_.false_colour.measure == ui::Measure::none) {
-        const std::shared_ptr<image::Image8> image =
-            pictures_.take(relighter().width(), relighter().height(), 4);
-        relighter().copy_picture(*image);
-        picture.image = image;
+        picture.image = window_image();
     } else {
-        picture.image = probe_.false_colours(request_.false_colour, shown(), !is_moving(now_s()));
+        picture.image = image_ = probe_.false_colours(request_.false_colour, shown(), !is_moving(now_s()));
+        is_image_older_ = false;
+        presentation_.take(*picture.image, shown_.framed);
+        presentation_.show();
     }
-    shown_.is_black = picture.image && is_black(*picture.image);
+    if (!is_image_older_) shown_.is_black = picture.image && is_black(*picture.image);
     picture.false_colour = false_colour_ = request_.false_colour;
     picture.camera = shown_.camera;
     picture.framed = shown_.framed;

@@ -528,7 +528,7 @@ Result<std::unique_ptr<Session>> open_session(const SessionOptions& asked, scene
     TRY(session->device,
         gpu::Device::create({options.device, options.validation, options.memory_limit_bytes, options.shaders,
                              options.pipeline_statistics, options.lowered_limits, options.workers,
-                             folder_of_pipelines()}));
+                             folder_of_pipelines(), options.presents}));
     log_info("drawing on " + session->device->name());
     session->rig = std::make_unique<scene::Rig>(*session->show);
     session->rig->movers().drive(session->movers);

@@ -68,6 +68,7 @@ struct SessionOptions {
     // Draw lights side by side where the device is a processor (gpu/workers.h): for pictures that move, whose
     // last bit may hang on the machine.
     bool workers = false;
+    bool presents = false; // gpu::DeviceOptions
     // Asked from time to time by whoever opens: true ends it with an error. Nothing: an interrupt does,
     // unless maps are made in the background.
     std::function<bool()> stop;

@@ -538,11 +538,6 @@ image::Image8 Relighter::picture() const {
     return result;
 }
 
-void Relighter::copy_picture(image::Image8& to) const {
-    CHECK(to.width == width() && to.height == height() && to.channels == 4);
-    std::memcpy(to.samples.data(), pixels_.mapped(), to.samples.size());
-}
-
 image::ImageF Relighter::frame() {
     image::ImageF result(width(), height(), 3);
     const gpu::Buffer buffer(device_, std::uint64_t{seen().width} * seen().height * kFrameBytesPerPixel,

@@ -148,7 +148,14 @@ public:
     bool is_coarse() const { return coarse_ != nullptr; }
     image::Image8 picture() const;              // RGBA, sRGB: the developed frame
     void copy_picture(image::Image8& to) const; // of that size
-    image::ImageF frame();                      // RGB, linear Rec.2020, cd/m^2, glare included: read back
+    // False: pictures stay on the device from the next one on, and picture() and copy_picture() fetch them.
+    void set_reads_back(bool reads_back) { reads_back_ = reads_back; }
+    // The same, for what shows it, into RGBA8 or, as light whose white is 1 (shared/present.h), RGBA16F of
+    // that size; a peak above 1 goes with the latter. Where the device is a processor nothing may use `to`
+    // meanwhile.
+    void put_picture(gpu::Commands& commands, const gpu::Texture& to) const;
+    void put_light(gpu::Commands& commands, const gpu::Texture& to, float peak);
+    image::ImageF frame(); // RGB, linear Rec.2020, cd/m^2, glare included: read back
     float ev100_used() const;
     image::Tone tone() const { return settings_.tone; }
     std::uint64_t memory_bytes() const; // on the device
@@ -278,7 +285,7 @@ private:
     std::array<gpu::LateProgram, shared::kToneCount> develop_;
     std::uint32_t wide_step_ = 1;
     bool uses_grid_ = false;
-    bool saw_ = true;                       // glare_ has made what is seen of the frame
+    bool saw_ = true; // glare_ has made what is seen of the frame
     std::unique_ptr<RoomLight> room_light_; // null: none
     LedWallPass led_walls_;
     LensPass lens_;
@@ -288,8 +295,11 @@ private:
     gpu::Buffer slides_upload_;
     shared::Gobos
         beam_pictures_; // its slides: what is in slides_, or on its way there; its texels: on_processor_
-    std::vector<std::size_t> new_slides_; // those on their way
-    std::uint64_t slide_bytes_ = 0;       // of one, all levels
+    std::vector<std::size_t> new_slides_;       // those on their way
+    std::uint64_t slide_bytes_ = 0;             // of one, all levels
+    std::unique_ptr<gpu::Program> shown_light_; // made where a display wants it
+    bool reads_back_ = true;
+    mutable bool has_pixels_ = true; // pixels_ has the picture
 };
 
 // Images that fit into a memory budget, at most what a full tree needs.

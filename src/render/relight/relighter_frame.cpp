@@ -12,13 +12,17 @@
 #include "render/relight/relighter.h"
 #include "shaders/develop.h"
 #include "shaders/meter.h"
+#include "shaders/shown_light.h"
 #include "shared/coarse.h"
 #include "shared/develop.h"
 #include "shared/g_buffer.h"
+#include "shared/present.h"
 
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <cstring>
+#include <utility>
 
 namespace ghost::render {
 
@@ -246,8 +250,46 @@ void Relighter::develop() {
     } else {
         glare_.develop(commands_, frame_, exposure_, picture_, tone);
     }
+    has_pixels_ = reads_back_;
+    if (!reads_back_) return;
     commands_.begin_span("read back");
     commands_.copy(picture_, pixels_);
+}
+
+void Relighter::copy_picture(image::Image8& to) const {
+    CHECK(to.width == width() && to.height == height() && to.channels == 4);
+    if (!std::exchange(has_pixels_, true)) {
+        gpu::Commands fetch(device_);
+        fetch.begin();
+        fetch.copy(picture_, pixels_);
+        fetch.submit_and_wait();
+    }
+    std::memcpy(to.samples.data(), pixels_.mapped(), to.samples.size());
+}
+
+void Relighter::put_picture(gpu::Commands& commands, const gpu::Texture& to) const {
+    CHECK(to.shape().width == seen().width && to.shape().height == seen().height);
+    if (!on_processor_) {
+        commands.copy(picture_, to, {VkRect2D{{0, 0}, {seen().width, seen().height}}});
+        return;
+    }
+    CHECK(to.mapped());
+    const std::size_t row = std::size_t{4} * seen().width;
+    const auto* from = static_cast<const std::uint8_t*>(pixels_.mapped());
+    for (std::uint32_t y = 0; y < seen().height; ++y)
+        std::memcpy(to.mapped() + y * to.row_bytes(), from + y * row, row);
+}
+
+void Relighter::put_light(gpu::Commands& commands, const gpu::Texture& to, float peak) {
+    CHECK(to.shape().width == seen().width && to.shape().height == seen().height);
+    if (!std::exchange(saw_, true)) glare_.see(commands, frame_);
+    if (!shown_light_) shown_light_ = std::make_unique<gpu::Program>(device_, shaders::kShader_shown_light);
+    commands.dispatch(*shown_light_, shared::ShownLightPush{static_cast<std::uint32_t>(settings_.tone), peak},
+                      shaders::ShownLightBindings{.frame = gpu::stored(glare_.seen(frame_)),
+                                                  .exposure = gpu::uniform(exposure_),
+                                                  .picture = gpu::stored(to)},
+                      seen().tiles_x, seen().tiles_y);
+    commands.barrier();
 }
 
 } // namespace ghost::render

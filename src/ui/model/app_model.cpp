@@ -206,6 +206,7 @@ void AppModel::read_news() {
         Q_EMIT hovered_came();
     }
     news_cost_ += std::chrono::steady_clock::now() - begin;
+    Q_EMIT news_came();
 }
 
 // What is said of a fixture that is drawn, for the place that it has in the show that is shown already.

@@ -27,6 +27,7 @@ public:
     // Sets Link::on_news.
     explicit AppModel(Link& link);
 
+    Link& link() { return link_; }
     // What the engine said last.
     const std::shared_ptr<const scene::Show>& show() const { return opened_.show; } // null: none is open
     const Opened& opened() const { return opened_; }
@@ -194,6 +195,7 @@ Q_SIGNALS:
     void look_changed();
     void selection_changed();
     void marked_changed();
+    void news_came(); // after all of the others
 
 private:
     friend class LookStep;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/picture/overlays.h"
 
+#include "link/picture_place.h"
 #include "show/camera_moves.h"
 #include "show/show.h"
 #include "ui/language/language.h"
@@ -101,19 +102,13 @@ struct Marked {
 } // namespace
 
 QRectF frame_rect(const QSizeF& widget, const glm::ivec2& frame) {
-    if (frame.x <= 0 || frame.y <= 0) return {QPointF(0, 0), widget};
-    const double scale = std::min(widget.width() / frame.x, widget.height() / frame.y);
-    const QSizeF size(scale * frame.x, scale * frame.y);
-    return {{(widget.width() - size.width()) / 2, (widget.height() - size.height()) / 2}, size};
+    const Rect at = place_of_frame(widget.width(), widget.height(), frame);
+    return {at.x, at.y, at.width, at.height};
 }
 
 QRectF picture_rect(const QSizeF& widget, const scene::Camera& camera, const Framed& framed) {
-    const glm::ivec2 size = glm::max(glm::ivec2(camera.width, camera.height), 1);
-    if (framed.frame.x <= 0 || framed.frame.y <= 0) return frame_rect(widget, size);
-    const QRectF frame = frame_rect(widget, framed.frame);
-    const double height = frame.height() / static_cast<double>(framed.share);
-    const QSizeF whole(height * size.x / size.y, height);
-    return {frame.center() - QPointF(whole.width() / 2, whole.height() / 2), whole};
+    const Rect at = place_of_picture(widget.width(), widget.height(), {camera.width, camera.height}, framed);
+    return {at.x, at.y, at.width, at.height};
 }
 
 void paint_picture(QPainter& painter, const QRectF& place, const image::Image8& picture) {

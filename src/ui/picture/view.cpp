@@ -127,6 +127,11 @@ void View::paintEvent(QPaintEvent*) {
     if (asked_ratio_ > 0 && asked_ratio_ != devicePixelRatioF() && !resize_timer_.isActive())
         resize_timer_.start();
     QPainter painter(this);
+    const PictureSurface::Painting what = surface_.painting();
+    if (what == PictureSurface::Painting::nothing) {
+        painter.fillRect(rect(), Qt::black); // what a window shows that grows before its surface does
+        return;
+    }
     const Picture& picture = app_.picture();
     if (!app_.show() || !picture.image) {
         painter.fillRect(rect(), QColor(12, 12, 13));
@@ -139,8 +144,10 @@ void View::paintEvent(QPaintEvent*) {
         return;
     }
     const QRectF place = rect_of_picture();
-    if (!place.adjusted(-1, -1, 1, 1).contains(rect())) painter.fillRect(rect(), Qt::black);
-    paint_picture(painter, place, *picture.image);
+    if (what == PictureSurface::Painting::all) {
+        if (!place.adjusted(-1, -1, 1, 1).contains(rect())) painter.fillRect(rect(), Qt::black);
+        paint_picture(painter, place, *picture.image);
+    }
     wipe_.paint(painter, size());
     if (overlays.frame) paint_frame(painter, place, frame_rect(size(), app_.request().frame));
     if (overlays.movers && !app_.show()->movers.empty())
@@ -158,11 +165,12 @@ void View::paintEvent(QPaintEvent*) {
         paint_words(painter, drag_at_, value_words(*app_.show(), *mover_, mover_value_));
     if (drag_ == Drag::object) paint_words(painter, drag_at_, lamp_->words(moved_by_m_));
     if (picture.false_colour.measure != Measure::none) paint_legend(painter, size(), picture.false_colour);
-    const double figures_px = overlays.figures ? paint_figures(painter, size(), figures_.lines()) : 0;
+    const double figures_px = overlays.figures ? paint_figures(painter, size(), figure_lines()) : 0;
     if (overlays.chips) paint_chips(painter, size(), chips_of(app_), figures_px);
     if (overlays.probe && app_.probed()) paint_probe(painter, place, size(), *app_.probed());
     paint_box(painter);
     painter.end();
+    if (surface_.is_measuring()) return;
     paint_ms_ = static_cast<double>(clock.nsecsElapsed()) * 1e-6;
     if (std::exchange(picture_waits_, false))
         app_.count_window(std::chrono::nanoseconds(clock.nsecsElapsed()));
@@ -172,6 +180,14 @@ void View::paintEvent(QPaintEvent*) {
         figures_.take_latency(latency);
         app_.count_latency(latency);
     }
+}
+
+QStringList View::figure_lines() const {
+    QStringList lines = figures_.lines();
+    const ShowerNow& now = surface_.shower();
+    if (!now.words.empty()) lines << said(now.words);
+    if (!now.format.empty()) lines.back() += ", " + QString::fromStdString(now.format);
+    return lines;
 }
 
 QStringList View::chip_words() const {

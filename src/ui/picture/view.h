@@ -8,6 +8,7 @@
 #include "ui/model/lamp_drag.h"
 #include "ui/picture/mover_marks.h"
 #include "ui/picture/overlays.h"
+#include "ui/picture/surfaces.h"
 #include "ui/picture/wipe.h"
 
 #include <QElapsedTimer>
@@ -41,6 +42,10 @@ public:
     const Figures& figures() const { return figures_; }
     void reset_figures() { figures_.reset(); }
     double paint_ms() const { return paint_ms_; }
+    // Who shows the picture.
+    const ShowerNow& shower() const { return surface_.shower(); }
+    // What AppModel has of it may be one before.
+    bool is_picture_on_device() const { return surface_.shower().is_device && !app_.is_settled(); }
     // What the chips say, from left to right.
     QStringList chip_words() const;
     // Of the stage, under the mouse when it is there.
@@ -66,6 +71,7 @@ private:
     enum class Drag { none, undecided, orbit, turn, pan, box, lamp, object, mover, wipe };
 
     void take_picture();
+    QStringList figure_lines() const;
     void ask_for_size();
     void fly();
     // Of the picture that is shown; before the first one, that which is asked for.
@@ -120,6 +126,7 @@ private:
     std::chrono::nanoseconds arrival_{0}; // of the first packet that no painted picture shows; 0: none waits
     double paint_ms_ = 0;
     Figures figures_;
+    PictureSurface surface_{app_, *this};
     QTimer rest_timer_; // until the figures may say that it rests
 };
 

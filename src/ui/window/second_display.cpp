@@ -66,10 +66,13 @@ void PictureWindow::paintEvent(QPaintEvent*) {
     if (asked_ratio_ > 0 && asked_ratio_ != devicePixelRatioF() && !resize_timer_.isActive())
         resize_timer_.start();
     QPainter painter(this);
-    painter.fillRect(rect(), Qt::black);
+    const PictureSurface::Painting what = surface_.painting();
     const Picture& picture = app_.picture();
-    if (!app_.show() || !picture.image) return;
-    paint_picture(painter, picture_rect(size(), picture.camera, picture.framed), *picture.image);
+    const bool is_empty = !app_.show() || !picture.image;
+    if (what != PictureSurface::Painting::covers || is_empty) painter.fillRect(rect(), Qt::black);
+    if (what == PictureSurface::Painting::nothing || is_empty) return;
+    if (what == PictureSurface::Painting::all)
+        paint_picture(painter, picture_rect(size(), picture.camera, picture.framed), *picture.image);
     if (picture.false_colour.measure != Measure::none) paint_legend(painter, size(), picture.false_colour);
 }
 

@@ -6,6 +6,7 @@
 
 #include "base/result.h"
 #include "ui/model/app_model.h"
+#include "ui/picture/surfaces.h"
 
 #include <QKeyEvent>
 #include <QPointer>
@@ -41,6 +42,7 @@ private:
     const std::function<bool(const QKeyEvent&)>& keys_;
     QTimer resize_timer_;
     double asked_ratio_ = 0; // as in View
+    PictureSurface surface_{app_, *this};
 };
 
 class SecondDisplay : public QObject {

@@ -145,6 +145,8 @@ QJsonObject state_json(const AppModel& app, const View& view) {
                                  {"baked", picture.is_baked},
                                  {"work_light", picture.has_work_light},
                                  {"supply", QString::fromStdString(picture.supply)},
+                                 {"shower", QString::fromStdString(view.shower().words)},
+                                 {"surface_format", QString::fromStdString(view.shower().format)},
                                  {"false_colour", static_cast<int>(picture.false_colour.measure)},
                                  {"latency_ms", view.figures().latency_ms()}};
     QJsonObject probe;

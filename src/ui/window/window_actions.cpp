@@ -96,6 +96,7 @@ void Window::add_window_actions() {
                   "",
                   "FILE",
                   [this](const QStringList& words) -> Result<void> {
+                      const PictureSurface::Whole with_the_picture;
                       if (grab().save(words[0], "PNG")) return {};
                       return Error{"the picture cannot be written", words[0].toStdString()};
                   },
@@ -355,8 +356,8 @@ void Window::show_shortcuts() {
 
 Result<void> Window::save_picture(const QString& file) {
     if (!app_.picture().image) return Error{"there is no picture yet", ""};
-    if (file.endsWith(".exr", Qt::CaseInsensitive)) {
-        // The engine has the linear values; it says when they are there.
+    if (file.endsWith(".exr", Qt::CaseInsensitive) || view_->is_picture_on_device()) {
+        // The engine has the linear values, and the newest picture; it says when they are there.
         app_.change_request([&](ViewRequest& request) {
             ++request.save_frame.number;
             request.save_frame.file = file.toStdString();
