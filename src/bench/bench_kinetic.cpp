@@ -118,13 +118,13 @@ struct Truss {
         total_ms.push_back(1e3 * (steady_now_s() - begin_s));
         std::map<std::string, double> of_frame;
         for (const gpu::Span& span : drawn.spans) of_frame[span.name] += span.ms;
-        for (const auto& [name, ms] : of_frame) spans[name].push_back(ms);
-        const LiveView::MapWork& maps = session->live->map_work();
+        for (const auto& [span, ms] : of_frame) spans[span].push_back(ms);
+        const LiveView::MapWork& work = session->live->map_work();
         if (session->live->draws_maps()) {
-            spans["maps made"].push_back(maps.draw_ms);
+            spans["maps made"].push_back(work.draw_ms);
         } else {
-            spans["maps traced"].push_back(maps.trace_ms);
-            spans["maps uploaded"].push_back(maps.upload_ms);
+            spans["maps traced"].push_back(work.trace_ms);
+            spans["maps uploaded"].push_back(work.upload_ms);
         }
     }
 };

@@ -46,12 +46,7 @@ private:
     std::unique_ptr<render::Relighter> relighter_;
 };
 
-// The chords of a truss are thinner in the picture than the grid's columns stand apart.
-double least_db(const BenchView& view) {
-    return view.name == "light through a truss" ? 38 : 45;
-}
-
-TEST(HazeGrid, IsEveryRayWithin45dBAndHalfAPercentButThroughATruss) {
+TEST(HazeGrid, IsEveryRayWithin45dBAndSixTenthsOfAPercentInEveryView) {
     BenchStages stages(device(), bench_views(), kViewMapSide);
     const std::vector<std::uint8_t> all(
         static_cast<std::size_t>(stages.views()[0].camera.width * stages.views()[0].camera.height), 1);
@@ -61,17 +56,17 @@ TEST(HazeGrid, IsEveryRayWithin45dBAndHalfAPercentButThroughATruss) {
         SCOPED_TRACE(view.name);
         stages.look(k);
         HazeOnly every_ray(stages, false), grid(stages, true);
-        const image::ImageF before = every_ray.drawn(turned(view.light, 1));
-        grid.drawn(turned(view.light, 1));
+        const image::ImageF before = every_ray.drawn(turned(view.light, 5));
+        grid.drawn(turned(view.light, 5));
         // It has turned: what was filled for where it was is of no use.
         const image::ImageF wanted = every_ray.drawn(view.light), got = grid.drawn(view.light);
         EXPECT_FALSE(every_ray.from_grid);
         const Accuracy accuracy = must(accuracy_of(got, wanted, all));
         const Accuracy stale = must(accuracy_of(before, wanted, all));
-        std::printf("%-30s %s: %5.1f dB, bias %6.3f %%; a degree away %5.1f dB\n", view.name.c_str(),
+        std::printf("%-30s %s: %5.1f dB, bias %6.3f %%; where it was %5.1f dB\n", view.name.c_str(),
                     grid.from_grid ? "grid" : "rays", accuracy.psnr_db, accuracy.bias_percent, stale.psnr_db);
-        EXPECT_GE(accuracy.psnr_db, least_db(view));
-        EXPECT_LT(std::abs(accuracy.bias_percent), 0.5);
+        EXPECT_GE(accuracy.psnr_db, 45);
+        EXPECT_LT(std::abs(accuracy.bias_percent), 0.6);
         EXPECT_LT(stale.psnr_db, accuracy.psnr_db - 3) << "such a fault would be seen";
         from_grid += grid.from_grid ? 1 : 0;
     }

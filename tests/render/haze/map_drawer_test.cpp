@@ -184,12 +184,12 @@ TEST_F(MapDrawerTest, CellsAndFarthestDistancesAreThoseOfTheProcessor) {
 }
 
 TEST_F(MapDrawerTest, OtherBlocksStay) {
-    constexpr std::uint32_t kSide = 256, kAcross = kSide / shared::kMapBlock;
+    constexpr std::uint32_t kMapSide = 256, kAcross = kMapSide / shared::kMapBlock;
     scene::Stage stage = furnished();
     Report report;
     StageModel model(device(), stage, report);
-    DistanceImages images(device(), empty_maps(kSide, 2), DistanceImages::Made::by_the_device);
-    const std::vector<int> all = all_blocks(kSide), some{9, 10, 27, 36, 37, 63};
+    DistanceImages images(device(), empty_maps(kMapSide, 2), DistanceImages::Made::by_the_device);
+    const std::vector<int> all = all_blocks(kMapSide), some{9, 10, 27, 36, 37, 63};
     images.draw(model, {{0, {0, 0, 3}, all}, {1, {1, 0, 3}, all}});
     const std::vector<std::uint16_t> before = texels_of<std::uint16_t>(images.texture(), 1);
     for (std::size_t k = 1; k < stage.instances.size(); ++k) model.show(k, false);
@@ -197,26 +197,26 @@ TEST_F(MapDrawerTest, OtherBlocksStay) {
     const std::vector<std::uint16_t> after = texels_of<std::uint16_t>(images.texture(), 1);
     scene::Stage bare;
     add(bare, box_of(kHalf_m), {0, 0, 2});
-    const auto anew = drawn(bare, kSide, {{-1, 0.5f, 2}});
+    const auto anew = drawn(bare, kMapSide, {{-1, 0.5f, 2}});
     const std::vector<std::uint16_t> empty = texels_of<std::uint16_t>(anew->texture(), 0);
-    for (std::uint32_t k = 0; k < kSide * kSide; ++k) {
+    for (std::uint32_t k = 0; k < kMapSide * kMapSide; ++k) {
         const auto block =
-            static_cast<int>(k / kSide / shared::kMapBlock * kAcross + k % kSide / shared::kMapBlock);
+            static_cast<int>(k / kMapSide / shared::kMapBlock * kAcross + k % kMapSide / shared::kMapBlock);
         const bool is_drawn = std::find(some.begin(), some.end(), block) != some.end();
         ASSERT_EQ(after[k], is_drawn ? empty[k] : before[k]) << k;
     }
-    const std::vector<std::vector<Blockers>> wanted = blockers_of(after, kSide);
+    const std::vector<std::vector<Blockers>> wanted = blockers_of(after, kMapSide);
     const std::vector<Blockers> coarsest =
         texels_of<Blockers>(images.blockers(), 1, static_cast<std::uint32_t>(wanted.size()) - 1);
     for (std::size_t k = 0; k < coarsest.size(); ++k)
         EXPECT_EQ(coarsest[k].far_to, wanted.back()[k].far_to) << "cells of blocks that changed in part";
     EXPECT_EQ(texels_of<std::uint16_t>(images.texture(), 0),
-              texels_of<std::uint16_t>(drawn(stage, kSide, {{0, 0, 3}})->texture(), 0))
+              texels_of<std::uint16_t>(drawn(stage, kMapSide, {{0, 0, 3}})->texture(), 0))
         << "the other map";
 }
 
 TEST_F(MapDrawerTest, WhatStopsNoLightAndWhatIsNoPlace) {
-    constexpr std::uint32_t kSide = 64;
+    constexpr std::uint32_t kMapSide = 64;
     const float nan = std::numeric_limits<float>::quiet_NaN(),
                 endless = std::numeric_limits<float>::infinity();
     scene::Stage stage;
@@ -232,17 +232,17 @@ TEST_F(MapDrawerTest, WhatStopsNoLightAndWhatIsNoPlace) {
     wrong.indices[0] = 1000;
     add(stage, wrong, {0, 0, -1});
     add(stage, box_of({1, 1, 1}), {nan, 0, 0}); // nowhere
-    const auto images = drawn(stage, kSide, {{0, 0, 0}, {nan, 0, 0}, {0, endless, 0}, {0, 0, 1e6f}});
+    const auto images = drawn(stage, kMapSide, {{0, 0, 0}, {nan, 0, 0}, {0, endless, 0}, {0, 0, 1e6f}});
     for (std::uint32_t map = 0; map < 4; ++map)
         for (const std::uint16_t texel : texels_of<std::uint16_t>(images->texture(), map))
             ASSERT_EQ(texel, scene::kNoSurface) << map;
-    const auto nothing = drawn({}, kSide, {{0, 0, 0}});
+    const auto nothing = drawn({}, kMapSide, {{0, 0, 0}});
     for (const std::uint16_t texel : texels_of<std::uint16_t>(nothing->texture(), 0))
         ASSERT_EQ(texel, scene::kNoSurface);
 }
 
 TEST_F(MapDrawerTest, HolesAndWhatIsHalfThere) {
-    constexpr std::uint32_t kSide = 256;
+    constexpr std::uint32_t kMapSide = 256;
     struct Kind {
         scene::AlphaMode mode;
         float alpha;
@@ -260,7 +260,7 @@ TEST_F(MapDrawerTest, HolesAndWhatIsHalfThere) {
         stage.materials[0].alpha_cutoff = 0.5f;
         add(stage, box_of({1, 1, 1}), {0, 0, 0});
         const std::vector<std::uint16_t> texels =
-            texels_of<std::uint16_t>(drawn(stage, kSide, {{0, 0, 0}})->texture(), 0);
+            texels_of<std::uint16_t>(drawn(stage, kMapSide, {{0, 0, 0}})->texture(), 0);
         const auto is_met = [](std::uint16_t texel) { return texel != scene::kNoSurface; };
         EXPECT_EQ(std::all_of(texels.begin(), texels.end(), is_met), stops);
         EXPECT_EQ(std::none_of(texels.begin(), texels.end(), is_met), !stops);
@@ -268,15 +268,15 @@ TEST_F(MapDrawerTest, HolesAndWhatIsHalfThere) {
 }
 
 TEST_F(MapDrawerTest, MoreMapsThanLayersThatAreDrawnAtOnce) {
-    constexpr std::uint32_t kSide = 64, kMaps = 37;
+    constexpr std::uint32_t kMapSide = 64, kMaps = 37;
     std::vector<glm::vec3> places_m;
     for (std::uint32_t k = 0; k < kMaps; ++k)
         places_m.emplace_back(-1 + 0.05f * static_cast<float>(k), 0.3f, 2.2f);
     const scene::Stage stage = furnished();
-    const auto images = drawn(stage, kSide, places_m);
+    const auto images = drawn(stage, kMapSide, places_m);
     for (const std::uint32_t map : {0u, 15u, 16u, 36u})
         EXPECT_EQ(texels_of<std::uint16_t>(images->texture(), map),
-                  texels_of<std::uint16_t>(drawn(stage, kSide, {places_m[map]})->texture(), 0))
+                  texels_of<std::uint16_t>(drawn(stage, kMapSide, {places_m[map]})->texture(), 0))
             << map;
 }
 
