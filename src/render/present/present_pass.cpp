@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kSamePlace_px = 0.01;
 constexpr std::uint32_t kMostTaps = 4;
-constexpr std::uint32_t kGroupWidth = 16, kGroupHeight = 8; // present.comp
+constexpr std::uint32_t kScreenGroupWidth = 16, kScreenGroupHeight = 8; // present.comp
 
 static_assert(static_cast<std::uint32_t>(Encoding::srgb) == shared::kEncodeSrgb &&
               static_cast<std::uint32_t>(Encoding::pq) == shared::kEncodePq &&
@@ -52,7 +52,7 @@ void PresentPass::record(gpu::Commands& commands, const ScreenPicture& picture, 
         shaders::PresentBindings{.picture = gpu::sampled(picture.texture ? *picture.texture : nothing_),
                                  .overlay = gpu::sampled(covers ? *covers : nothing_),
                                  .surface = gpu::stored(to)},
-        gpu::groups(size.width, kGroupWidth), gpu::groups(size.height, kGroupHeight));
+        gpu::groups(size.width, kScreenGroupWidth), gpu::groups(size.height, kScreenGroupHeight));
     commands.barrier();
 }
 
